@@ -7,6 +7,7 @@
 
 use artifact::Radar;
 use num_complex::Complex64;
+use radar::doppler_ambiguity::folded;
 use std::f64::consts::TAU;
 
 /// Distance in cells from the peak within which a tone counts: the main lobe of all windows here and a
@@ -46,7 +47,7 @@ impl DopplerResponse {
     pub(crate) fn at(&self, tone: f64, row: f64, rows: u32) -> Option<Complex64> {
         match self {
             Self::Even(along) => {
-                let apart = folded(tone - row, rows);
+                let apart = folded(tone - row, f64::from(rows));
                 (apart.abs() < REACH_CELLS).then(|| at(along, apart).into())
             }
             Self::Staggered(staggered) => Some(staggered.at(tone - signed(row, f64::from(rows)))),
@@ -101,12 +102,6 @@ fn part(taper: &[f64], first: usize, delays: usize) -> Vec<Complex64> {
     let own = || taper.iter().enumerate().skip(first).step_by(delays);
     let sum = |step: usize| own().map(|(m, w)| turns[step * m % length] * w).sum::<Complex64>();
     (0..length).map(|step| sum(step) / rows as f64).collect()
-}
-
-/// Distance in cells to the nearest of places a period apart.
-pub(crate) fn folded(cells: f64, period: u32) -> f64 {
-    let period = f64::from(period);
-    cells - period * (cells / period).round()
 }
 
 /// Signed row of a map, which begins at −N/2, for a place; rounding does not wrap around.

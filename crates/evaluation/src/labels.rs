@@ -7,7 +7,7 @@
 //! cells of one surface cancel away from its mirror direction, so the powers of single paths would be
 //! meaningless. A point whose paths are together below the noise is a false alarm and has no label.
 
-use crate::doppler_response::{DopplerResponse, REACH_CELLS, at, folded, response};
+use crate::doppler_response::{DopplerResponse, REACH_CELLS, at, response};
 use artifact::Waveform;
 use artifact::cube::CubeHeader;
 use artifact::paths::{Path, PathsFrame};
@@ -16,6 +16,7 @@ use artifact::radar::{Radar, Sampling};
 use glam::DVec3;
 use num_complex::Complex64;
 use radar::beat::coupling_m;
+use radar::doppler_ambiguity::folded;
 use radar::path_echo::echo_value;
 use radar::path_kinematics::legs;
 use radar::window::{Sidelobes, taper};
@@ -226,7 +227,7 @@ impl MapResponse {
             let sign = if is_image { -1.0 } else { 1.0 };
             let place = |shown: Shown| shown.radial_velocity_mps / self.cells[0];
             let columns = (sign * echo.shown.range_m - point.range_m) / self.cells[1];
-            let columns = folded(columns, w.samples);
+            let columns = folded(columns, f64::from(w.samples));
             if columns.abs() >= REACH_CELLS {
                 return None;
             }

@@ -4,7 +4,7 @@
 
 use artifact::Radar;
 use glam::{DVec2, DVec3};
-use std::f64::consts::FRAC_PI_2;
+use radar::aperture::boresight_yaw_rad;
 
 /// Position and yaw of a levelled sensor in the world.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,7 +18,7 @@ pub(crate) struct LevelledAxes {
 impl LevelledAxes {
     /// Axes of a radar.
     pub(crate) fn of(radar: &Radar) -> Self {
-        Self { origin_m: radar.position_m.into(), yaw_rad: FRAC_PI_2 - radar.boresight_az_rad }
+        Self { origin_m: radar.position_m.into(), yaw_rad: boresight_yaw_rad(radar) }
     }
 
     /// Converts a place from the world's to the sensor's axes, m.
@@ -50,6 +50,7 @@ fn turned(vector: DVec3, angle_rad: f64) -> DVec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::f64::consts::FRAC_PI_2;
 
     #[test]
     fn ahead_is_x_left_is_y_and_the_way_back_is_the_same() {

@@ -68,8 +68,7 @@ impl Ends {
 impl Post {
     fn at(standpoint: &Standpoint) -> Self {
         let (sin_az, cos_az) = standpoint.azimuth_rad.sin_cos();
-        let (sin_el, cos_el) = standpoint.elevation_rad.sin_cos();
-        let towards = DVec3::new(cos_el * cos_az, cos_el * sin_az, sin_el);
+        let towards = standpoint.direction();
         let range_m = standpoint.range_m;
         let antenna_m = range_m.is_finite().then(|| range_m * towards);
         Self { towards, antenna_m, range_m, zenith_h: DVec3::new(-sin_az, cos_az, 0.0) }

@@ -2,6 +2,7 @@
 
 use artifact::radar::{Array, Radar};
 use glam::DVec3;
+use std::f64::consts::FRAC_PI_2;
 
 /// Elements in half wavelengths, [right, up] as seen along the boresight.
 pub type Elements = Vec<[f64; 2]>;
@@ -9,11 +10,22 @@ pub type Elements = Vec<[f64; 2]>;
 /// Unit vectors to the right (horizontal), ahead along the boresight, and up, for a boresight azimuth (from
 /// +y towards +x) and elevation (above the horizon), rad.
 pub fn axes_looking(azimuth_rad: f64, elevation_rad: f64) -> [DVec3; 3] {
-    let (sin_az, cos_az) = azimuth_rad.sin_cos();
+    let [x, y] = horizontal(azimuth_rad);
     let (sin_el, cos_el) = elevation_rad.sin_cos();
-    let right = DVec3::new(cos_az, -sin_az, 0.0);
-    let ahead = DVec3::new(sin_az * cos_el, cos_az * cos_el, sin_el);
+    let right = DVec3::new(y, -x, 0.0);
+    let ahead = DVec3::new(x * cos_el, y * cos_el, sin_el);
     [right, ahead, right.cross(ahead)]
+}
+
+/// Horizontal unit vector, [x, y], towards an azimuth counted from +y towards +x, rad.
+pub fn horizontal(azimuth_rad: f64) -> [f64; 2] {
+    let (x, y) = azimuth_rad.sin_cos();
+    [x, y]
+}
+
+/// Yaw of a radar's boresight, counted like that of bodies from +x towards +y, rad.
+pub fn boresight_yaw_rad(radar: &Radar) -> f64 {
+    FRAC_PI_2 - radar.boresight_az_rad
 }
 
 /// Aperture axes of a radar: right, ahead, up.
@@ -109,7 +121,7 @@ pub fn remounted(radar: &Radar, height_m: f64, boresight_el_rad: f64) -> Radar {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+    use std::f64::consts::FRAC_PI_4;
 
     #[test]
     fn the_axes_are_right_handed_and_follow_azimuth_and_elevation() {
@@ -124,6 +136,22 @@ mod tests {
         near(right, [0.0, -1.0, 0.0]);
         near(ahead, [half, 0.0, half]);
         near(up, [-half, 0.0, half]);
+    }
+
+    #[test]
+    fn a_boresight_has_the_same_horizontal_direction_by_azimuth_and_by_yaw() {
+        let at = |azimuth_rad: f64| {
+            let radar =
+                crate::paper::radar([0.0; 3], crate::paper::waveform(64, 16), Preset::OneByOne.elements());
+            Radar { boresight_az_rad: azimuth_rad, ..radar }
+        };
+        for azimuth_rad in [0.0, 0.7, FRAC_PI_2, -2.0] {
+            let (y, x) = boresight_yaw_rad(&at(azimuth_rad)).sin_cos();
+            let [_, ahead, _] = axes(&at(azimuth_rad));
+            let horizontal = horizontal(azimuth_rad);
+            assert_eq!([ahead.x, ahead.y], horizontal);
+            assert!((horizontal[0] - x).hypot(horizontal[1] - y) < 1e-15, "{azimuth_rad}");
+        }
     }
 
     #[test]

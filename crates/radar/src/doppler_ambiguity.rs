@@ -11,7 +11,13 @@ pub fn wrapped_mps(velocity_mps: f64, span_mps: f64) -> f64 {
 /// A velocity, or a difference of two, folded by whole spans to the value nearest to zero, m/s; values within
 /// half a span are returned bit for bit.
 pub fn folded_mps(velocity_mps: f64, span_mps: f64) -> f64 {
-    velocity_mps - span_mps * (velocity_mps / span_mps).round()
+    folded(velocity_mps, span_mps)
+}
+
+/// A difference on any circle (of velocities, of a map's rows, of angles) folded by whole turns of it to the
+/// value nearest to zero; values within half a turn are returned bit for bit.
+pub fn folded(difference: f64, turn: f64) -> f64 {
+    difference - turn * (difference / turn).round()
 }
 
 /// A velocity as it appears in a radar's map: folded into −v_max … +v_max, m/s.

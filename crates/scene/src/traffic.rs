@@ -33,6 +33,7 @@ use artifact::seed;
 use artifact::settings::{Class, Course};
 use glam::DVec2;
 use osi_types::{StandIn, stand_in_of, with_stand_in};
+use radar::aperture::horizontal;
 use source::{Source, StepReader};
 use std::collections::{BTreeSet, HashMap, HashSet};
 
@@ -132,10 +133,9 @@ fn read_source(section: &Section<'_>, models: &mut Models) -> Option<Source> {
 /// Reads the radar's view; the default is the range up to which a complex beat frequency does not fold, and
 /// the half plane before the array.
 fn read_view(section: &Section<'_>, radar: &Radar) -> View {
-    let (sin, cos) = radar.boresight_az_rad.sin_cos();
     View {
         foot_m: DVec2::new(radar.position_m[0], radar.position_m[1]),
-        boresight: DVec2::new(sin, cos),
+        boresight: horizontal(radar.boresight_az_rad).into(),
         nearest_m: section.or_default(&VIEW_NEAREST),
         range_m: section.read(&VIEW_RANGE).unwrap_or(radar.waveform.range_max_m()),
         half_angle_rad: section.or_default(&VIEW_HALF_ANGLE).to_radians(),

@@ -29,6 +29,7 @@ use artifact::units::{SPEED_OF_LIGHT_MPS, amplitude_ratio};
 use artifact::{ErrorBudget, ModelError};
 use glam::{DMat3, DVec3};
 use num_complex::Complex64;
+use radar::standpoint::{Standpoint, nearest_turn};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -475,13 +476,7 @@ fn angles(to_radar_m: DVec3) -> [f64; 2] {
 }
 
 fn direction(elevation_rad: f64, azimuth_rad: f64) -> DVec3 {
-    let ((sin_el, cos_el), (sin_az, cos_az)) = (elevation_rad.sin_cos(), azimuth_rad.sin_cos());
-    DVec3::new(cos_el * cos_az, cos_el * sin_az, sin_el)
-}
-
-/// Equivalent of `angle` within half a turn of `near`.
-fn nearest_turn(angle: f64, near: f64) -> f64 {
-    angle + TAU * ((near - angle) / TAU).round()
+    Standpoint { azimuth_rad, elevation_rad, range_m: f64::INFINITY }.direction()
 }
 
 /// An axis of `count` values including both ends; a single value if the span is zero.

@@ -236,8 +236,7 @@ mod tests {
     }
 
     fn antenna(at: Standpoint) -> Antenna {
-        let ((sin_az, cos_az), (sin_el, cos_el)) = (at.azimuth_rad.sin_cos(), at.elevation_rad.sin_cos());
-        let direction = DVec3::new(cos_el * cos_az, cos_el * sin_az, sin_el);
+        let direction = at.direction();
         if at.range_m.is_finite() {
             Antenna::Point(at.range_m * direction)
         } else {

@@ -24,6 +24,7 @@ use artifact::cube::CubeHeader;
 use artifact::radar::Multiplexing;
 use artifact::rdm::RdmFrame;
 use num_complex::Complex64;
+use radar::doppler_ambiguity::folded_mps;
 use std::f64::consts::TAU;
 
 /// Minimum log-likelihood ratio of the best fold to the next for it to be accepted. Two hypotheses that
@@ -114,8 +115,7 @@ impl Folds {
     }
 
     fn velocity_mps(&self, fold: usize) -> f64 {
-        let (velocity_mps, span_mps) = (self.shown_mps + fold as f64 * self.span_mps, self.ambiguity_mps());
-        velocity_mps - span_mps * (velocity_mps / span_mps).round()
+        folded_mps(self.shown_mps + fold as f64 * self.span_mps, self.ambiguity_mps())
     }
 }
 

@@ -18,6 +18,7 @@ use artifact::points::{Object, Point, PointsFrame};
 use artifact::radar::Multiplexing;
 use artifact::units::amplitude_from_db;
 use glam::DVec3;
+use radar::doppler_ambiguity::folded_mps;
 
 /// Points of one sub-frame.
 struct SubFrame<'a> {
@@ -139,8 +140,9 @@ impl Scorer<'_> {
     fn agreement(&self, point: &Point, velocity_mps: f64, candidate: &Point) -> f64 {
         let (own, other) = (self.own.plan.array.cells(), self.other.plan.array.cells());
         let velocity_cell_mps = own.velocity_cell_mps.max(other.velocity_cell_mps);
-        let velocity = wrapped(&self.other.plan.radar, velocity_mps - candidate.radial_velocity_mps)
-            / (CELLS * velocity_cell_mps);
+        let apart_mps = velocity_mps - candidate.radial_velocity_mps;
+        let velocity =
+            folded_mps(apart_mps, ambiguity_mps(&self.other.plan.radar)) / (CELLS * velocity_cell_mps);
         if velocity.abs() > 5.0 {
             return 0.0;
         }
@@ -290,12 +292,7 @@ impl Scorer<'_> {
 
 /// `velocity_mps` moved by whole ambiguities until it is nearest to `near_mps`.
 fn unwrapped(radar: &Radar, velocity_mps: f64, near_mps: f64) -> f64 {
-    near_mps + wrapped(radar, velocity_mps - near_mps)
-}
-
-fn wrapped(radar: &Radar, velocity_mps: f64) -> f64 {
-    let span_mps = ambiguity_mps(radar);
-    velocity_mps - span_mps * (velocity_mps / span_mps).round()
+    near_mps + folded_mps(velocity_mps - near_mps, ambiguity_mps(radar))
 }
 
 fn best_of(scores: &[f64]) -> usize {

@@ -6,6 +6,7 @@
 
 use crate::spectrum::axes::Axes;
 use artifact::points::PointsFrame;
+use radar::doppler_ambiguity::folded;
 
 /// Points of objects in and around a part of the map.
 pub(crate) struct CellOwners {
@@ -38,7 +39,7 @@ impl CellOwners {
             Some(Peak { row: axes.row_at(velocity_mps), column, number, object: point.object? })
         });
         let is_near = |peak: &Peak| {
-            wrapped(peak.row - middle, chirps).abs() <= half
+            folded(peak.row - middle, chirps).abs() <= half
                 && (columns[0] as f64..=columns[1] as f64).contains(&peak.column)
         };
         Self::of_peaks(located.filter(is_near).collect(), chirps)
@@ -72,7 +73,7 @@ impl CellOwners {
             if best.is_some_and(|(least, _)| along > least) {
                 break;
             }
-            let distance = wrapped(peak.row - row, self.rows).powi(2) + along;
+            let distance = folded(peak.row - row, self.rows).powi(2) + along;
             let is_nearer = |(least, first): (f64, &Peak)| {
                 distance.total_cmp(&least).then(peak.number.cmp(&first.number)).is_lt()
             };
@@ -82,11 +83,6 @@ impl CellOwners {
         }
         best
     }
-}
-
-/// A difference of rows, wrapped to the value nearest to zero.
-fn wrapped(rows: f64, turn: f64) -> f64 {
-    rows - turn * (rows / turn).round()
 }
 
 #[cfg(test)]
@@ -113,7 +109,7 @@ mod tests {
             let cells = (-3..35).flat_map(|row| (-2..22).map(move |column| [row, column]));
             for [row, column] in cells {
                 let distance =
-                    |p: &Peak| wrapped(p.row - row as f64, 32.0).powi(2) + (p.column - column as f64).powi(2);
+                    |p: &Peak| folded(p.row - row as f64, 32.0).powi(2) + (p.column - column as f64).powi(2);
                 let slow = points.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
                 assert_eq!(owners.of([row, column]), slow.map(|p| p.object), "{count}: {row}, {column}");
             }

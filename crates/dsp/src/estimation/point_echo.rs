@@ -12,6 +12,7 @@ use crate::spectrum::doppler_bands::source_of;
 use artifact::radar::{Multiplexing, Waveform, code_sign};
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use num_complex::{Complex32, Complex64};
+use radar::beat::if_cycles;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
@@ -148,7 +149,7 @@ impl ChirpPhase {
         let rate = 2.0 * point.radial_velocity_mps / SPEED_OF_LIGHT_MPS;
         let sample_s = 1.0 / waveform.sample_rate_hz;
         Self {
-            start: f0 * tau_s - 0.5 * mu * tau_s * tau_s + turn_cycles,
+            start: if_cycles(waveform, 0.0, tau_s) + turn_cycles,
             slope: (f0 * rate + mu * tau_s * (1.0 - rate)) * sample_s,
             bend: mu * rate * (1.0 - 0.5 * rate) * sample_s * sample_s,
         }

@@ -4,7 +4,7 @@ use crate::spectrum::map_cells::{MapCells, RangeAxis};
 use artifact::cube::CubeHeader;
 use artifact::{Radar, Waveform};
 use radar::beat::coupling_m;
-use radar::doppler_ambiguity::wrapped_mps;
+use radar::doppler_ambiguity::{folded, wrapped_mps};
 
 /// Rows and columns of the maps of one sub-frame in metres and metres per second.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -76,7 +76,7 @@ impl Axes {
     /// Difference `a_m` − `b_m`, the shorter way round if the axis is a circle.
     pub(crate) fn range_apart_m(&self, a_m: f64, b_m: f64) -> f64 {
         match self.range_axis {
-            RangeAxis::Circle => (a_m - b_m) - self.range_max_m * ((a_m - b_m) / self.range_max_m).round(),
+            RangeAxis::Circle => folded(a_m - b_m, self.range_max_m),
             RangeAxis::Segment => a_m - b_m,
         }
     }

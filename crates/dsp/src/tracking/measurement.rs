@@ -8,7 +8,7 @@ use artifact::Radar;
 use artifact::points::Object;
 use artifact::units::power_from_db;
 use glam::{DVec2, DVec4};
-use radar::doppler_ambiguity::folded_mps;
+use radar::doppler_ambiguity::{folded, folded_mps};
 use std::f64::consts::{PI, TAU};
 
 /// Properties of a radar used by a tracker.
@@ -287,5 +287,5 @@ impl Sight {
 
 /// An angle wrapped to −π … π.
 pub(crate) fn turned(angle_rad: f64) -> f64 {
-    angle_rad - TAU * (angle_rad / TAU).round()
+    folded(angle_rad, TAU)
 }

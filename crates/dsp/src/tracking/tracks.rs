@@ -24,6 +24,7 @@ use artifact::settings::Lanes;
 use artifact::tracks::{Track, TrackState, TracksFrame};
 use glam::{DMat2, DVec2};
 use ndarray::Array2;
+use radar::aperture::horizontal;
 use radar::assignment::assignment;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -269,7 +270,7 @@ impl Tracker {
 
     fn bury(&mut self) {
         let radar = &self.header.radar;
-        let ahead = DVec2::new(radar.boresight_az_rad.sin(), radar.boresight_az_rad.cos());
+        let ahead = DVec2::from(horizontal(radar.boresight_az_rad));
         let (settings, place_m, far_m) = (self.settings, self.site().place_m(), radar.waveform.range_max_m());
         self.followed.retain(|f| {
             let mean = f.bank.best().mean;

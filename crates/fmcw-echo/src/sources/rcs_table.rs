@@ -21,6 +21,7 @@ use num_complex::Complex64;
 use radar::beat::if_cycles;
 use radar::link::link_amplitude;
 use radar::motion::whole_acceleration_mps2;
+use radar::standpoint::nearest_turn;
 use std::f64::consts::TAU;
 
 /// Targets of one frame, each a table with a moving origin.
@@ -137,8 +138,8 @@ impl<'a> Body<'a> {
         let table = self.table;
         let (elevation_rad, azimuth_rad) = self.aspect(radar, time_s);
         let el = self.bracket("elevation_rad", &table.elevation_rad, elevation_rad)?;
-        let az =
-            self.bracket("azimuth_rad", &table.azimuth_rad, nearest_turn(&table.azimuth_rad, azimuth_rad))?;
+        let azimuth_rad = turn_nearest_to(&table.azimuth_rad, azimuth_rad);
+        let az = self.bracket("azimuth_rad", &table.azimuth_rad, azimuth_rad)?;
         let columns = table.azimuth_rad.len();
         let along_az = |row: &[Complex64]| az.mix(row[az.below], row[az.above]);
         let plane = |plane: &[Complex64]| {
@@ -193,10 +194,10 @@ impl Bracket {
     }
 }
 
-/// `angle` plus the number of whole turns that brings it nearest to the middle of the axis.
-fn nearest_turn(axis: &[f64], angle: f64) -> f64 {
+/// Equivalent of `angle` within half a turn of the middle of the axis.
+fn turn_nearest_to(axis: &[f64], angle: f64) -> f64 {
     let middle = 0.5 * (axis[0] + axis[axis.len() - 1]);
-    angle + TAU * ((middle - angle) / TAU).round()
+    nearest_turn(angle, middle)
 }
 
 fn origin_path(pose: &Pose) -> Path {

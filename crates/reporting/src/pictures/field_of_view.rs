@@ -1,6 +1,7 @@
 //! Field of view of a radar.
 
 use artifact::radar::Radar;
+use radar::aperture::horizontal;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
 
 /// Angles left and right of the boresight, at its elevation, up to which an element's gain is within 3 dB of
@@ -21,12 +22,21 @@ pub(super) fn rim_m(radar: &Radar) -> Vec<[f64; 2]> {
     let [left, right] = half_angles_rad(radar);
     let [x_m, y_m, height_m] = radar.position_m;
     let far_m = (radar.waveform.range_max_m().powi(2) - height_m * height_m).max(0.0).sqrt();
-    let arc = (0..=64).map(|i| -left + (left + right) * f64::from(i) / 64.0).map(|angle| {
-        let (sin, cos) = (radar.boresight_az_rad + angle).sin_cos();
-        [x_m + far_m * sin, y_m + far_m * cos]
-    });
+    let angles = (0..=64).map(|i| -left + (left + right) * f64::from(i) / 64.0);
+    let arc = angles.map(|angle| on_ground_m(radar, radar.boresight_az_rad + angle, far_m));
     let foot = || std::iter::once([x_m, y_m]);
     foot().chain(arc).chain(foot()).collect()
+}
+
+/// World x and y of the place at a horizontal distance `far_m` ahead of a radar.
+pub(super) fn ahead_m(radar: &Radar, far_m: f64) -> [f64; 2] {
+    on_ground_m(radar, radar.boresight_az_rad, far_m)
+}
+
+/// World x and y of the place at a horizontal distance `far_m` from a radar, towards an azimuth.
+fn on_ground_m(radar: &Radar, azimuth_rad: f64, far_m: f64) -> [f64; 2] {
+    let ([x_m, y_m, _], [x, y]) = (radar.position_m, horizontal(azimuth_rad));
+    [x_m + far_m * x, y_m + far_m * y]
 }
 
 /// Words of the legend about the field of view.

@@ -187,8 +187,6 @@ impl Ground {
     /// Draws a radar, its boresight and its field of view.
     pub(super) fn radar(&mut self, colour: &str, name: &str, radar: &Radar) {
         let [x_m, y_m, _] = radar.position_m;
-        let (sin, cos) = radar.boresight_az_rad.sin_cos();
-        let far_m = radar.waveform.range_max_m();
         let at = self.world([x_m, y_m]);
         let rim: Vec<[f64; 2]> = field_of_view::rim_m(radar).into_iter().map(|p| self.world(p)).collect();
         for pair in rim.windows(2) {
@@ -196,7 +194,7 @@ impl Ground {
                 self.sheet.polyline(colour, 1.0, &line);
             }
         }
-        let ahead = self.world([x_m + far_m * sin, y_m + far_m * cos]);
+        let ahead = self.world(field_of_view::ahead_m(radar, radar.waveform.range_max_m()));
         if let Some(line) = clip::segment([at, ahead], self.frame()) {
             self.sheet.broken(colour, 1.4, &line);
         }

@@ -98,9 +98,8 @@ pub(super) fn region(road: &Lanes, radar: &Radar, bodies: impl Iterator<Item = [
     const STEP_M: f64 = 5.0;
     let at_radar = road.across_along_m(radar.position_m);
     let far_m = shown_to_m(radar);
-    let (sin, cos) = radar.boresight_az_rad.sin_cos();
-    let [x_m, y_m, _] = radar.position_m;
-    let ahead = road.across_along_m([x_m + far_m * sin, y_m + far_m * cos, 0.0]);
+    let [x_m, y_m] = field_of_view::ahead_m(radar, far_m);
+    let ahead = road.across_along_m([x_m, y_m, 0.0]);
     let mut region = Region::of(at_radar).with(at_radar, 2.0).with(ahead, 2.0);
     for lane in lanes_in_reach(road, radar) {
         for across_m in [lane.centre_m - 0.5 * lane.width_m, lane.centre_m + 0.5 * lane.width_m] {

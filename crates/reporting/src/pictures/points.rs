@@ -205,9 +205,8 @@ fn draw_radar(sheet: &mut Svg, header: &CubeHeader, view: &View) {
             sheet.polyline("radar", 1.0, &line);
         }
     }
-    let (far_m, (sin, cos)) = (radar.waveform.range_max_m(), radar.boresight_az_rad.sin_cos());
     let [x_m, y_m, _] = radar.position_m;
-    let ends = [[x_m, y_m], [x_m + far_m * sin, y_m + far_m * cos]].map(ground);
+    let ends = [[x_m, y_m], field_of_view::ahead_m(radar, radar.waveform.range_max_m())].map(ground);
     if let Some(line) = clip::segment(ends, frame) {
         sheet.broken("radar", 1.4, &line);
     }

@@ -21,6 +21,7 @@
 use crate::recording::fcd::{FcdStep, FcdVehicle, ToldVelocity};
 use artifact::scene::Pose;
 use glam::{DVec2, DVec3};
+use radar::doppler_ambiguity::folded;
 use std::collections::HashMap;
 use std::f64::consts::TAU;
 
@@ -240,8 +241,7 @@ fn velocity(vehicle: &FcdVehicle, way_m: DVec3, step_s: f64) -> DVec3 {
 
 /// Turn in the shorter direction, counter-clockwise positive.
 fn turn_rad(a: &FcdVehicle, b: &FcdVehicle) -> f64 {
-    let turn = yaw_rad(b.angle_deg) - yaw_rad(a.angle_deg);
-    turn - TAU * (turn / TAU).round()
+    folded(yaw_rad(b.angle_deg) - yaw_rad(a.angle_deg), TAU)
 }
 
 /// Kinds of a vehicle's step.

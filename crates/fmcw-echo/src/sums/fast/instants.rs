@@ -12,6 +12,7 @@ use artifact::units::SPEED_OF_LIGHT_MPS;
 use glam::DVec3;
 use num_complex::Complex64;
 use radar::aperture::{axes, pattern_amplitude};
+use radar::beat::if_cycles;
 use radar::link::link_amplitude;
 use std::ops::Range;
 
@@ -141,13 +142,14 @@ impl<'a> Listener<'a> {
 
     /// Value by eq. (13): √(P_tG_tG_r)·λ/(4π)^{3/2}·conj a(f)·gain, and f₀τ + μtτ − ½μτ².
     fn value(&self, path: &Path, t: f64, tau: f64, gain_per_m2: f64) -> Value {
-        let (f0, mu) = (self.radar.waveform.start_frequency_hz, self.radar.waveform.slope_hz_per_s);
+        let waveform = &self.radar.waveform;
         let (receive, transmit) = self.radar.array.polarization.indices();
-        let offset_hz = f0 + mu * (t - tau) - self.centre_frequency_hz;
+        let offset_hz =
+            waveform.start_frequency_hz + waveform.slope_hz_per_s * (t - tau) - self.centre_frequency_hz;
         let amplitude_m =
             path.amplitude_m[receive][transmit] + offset_hz * path.slope_m_per_hz[receive][transmit];
         let amplitude = self.link_amplitude * gain_per_m2 * amplitude_m.conj();
-        Value { amplitude, cycles: f0 * tau + mu * t * tau - 0.5 * mu * tau * tau }
+        Value { amplitude, cycles: if_cycles(waveform, t, tau) }
     }
 
     fn departing(&self, path: &Path, element_m: DVec3, scattering_time_s: f64) -> ElementLeg {
