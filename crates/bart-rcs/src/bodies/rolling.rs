@@ -2,7 +2,7 @@
 //! vehicles that roll without slipping.
 //!
 //! A frame is traced with separate wheels, so that whatever lights or shades them is treated as for any
-//! bodies in relative motion ([`crate::frame::moments`]); afterwards their paths are assigned to their
+//! bodies in relative motion (`crate::frame::blends`); afterwards their paths are assigned to their
 //! vehicles again.
 
 use crate::bodies::models::Models;

@@ -16,7 +16,8 @@ use artifact::rcs::RcsFrame;
 use artifact::scene::{SceneFrame, SceneHeader};
 
 /// Tracer of a scene's frames: its meshes, each with its hierarchy, and a memory limit per frame. A `view` is
-/// the scene with the bodies that one frame has in view, using the meshes of the scene.
+/// the scene with the bodies that one frame has in view, using the meshes of the scene; of a radar with
+/// sub-frames each method takes the one of its frame.
 #[derive(Clone)]
 pub struct Tracer {
     models: Models,
@@ -46,6 +47,7 @@ impl Tracer {
         frame: &SceneFrame,
         surroundings: &FrameSurroundings<'_>,
     ) -> Result<PathsFrame, BartError> {
+        let view = &view.in_frame(frame.index);
         Ok(reduced(view, self.all_paths(view, frame, surroundings)?))
     }
 
@@ -70,6 +72,7 @@ impl Tracer {
         frame: &SceneFrame,
         surroundings: &FrameSurroundings<'_>,
     ) -> Result<PathsFrame, BartError> {
+        let view = &view.in_frame(frame.index);
         let apart = WheelsApart::of(&self.models, view, frame);
         Ok(apart.joined(trace_frame(&self.models, &apart.view, &apart.frame, surroundings)?))
     }
@@ -91,7 +94,7 @@ impl Tracer {
         frame: &SceneFrame,
         progress: &dyn Progress,
     ) -> Result<RcsFrame, BartError> {
-        rcs_frame(&self.models, view, frame, progress)
+        rcs_frame(&self.models, &view.in_frame(frame.index), frame, progress)
     }
 
     /// Predicted work for the beams and integrals of one moment of a frame.
@@ -102,6 +105,7 @@ impl Tracer {
     /// # Errors
     /// Those of [`Self::all_paths`].
     pub fn expected_work(&self, view: &SceneHeader, frame: &SceneFrame) -> Result<ExpectedWork, BartError> {
+        let view = &view.in_frame(frame.index);
         let apart = WheelsApart::of(&self.models, view, frame);
         expected_work(&self.models, &apart.view, &apart.frame)
     }
@@ -121,6 +125,7 @@ impl Tracer {
         frame: &SceneFrame,
         progress: &dyn Progress,
     ) -> Result<Option<EchoParts>, BartError> {
+        let view = &view.in_frame(frame.index);
         let apart = WheelsApart::of(&self.models, view, frame);
         echo_parts(&self.models, &apart.view, &apart.frame, progress)
     }

@@ -75,7 +75,6 @@ pub(crate) fn expected_work(
     header: &SceneHeader,
     frame: &SceneFrame,
 ) -> Result<ExpectedWork, BartError> {
-    let header = &header.in_frame(frame.index);
     let plan = Plan::of(header, frame, &Unheard);
     let world = World::posed(models, header, frame, plan.middle_s)?;
     let trace = TraceSettings { max_order: plan.trace.max_order.min(header.fidelity.bounces), ..plan.trace };

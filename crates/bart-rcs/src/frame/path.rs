@@ -48,7 +48,6 @@ pub(crate) fn trace_frame(
     frame: &SceneFrame,
     surroundings: &FrameSurroundings<'_>,
 ) -> Result<PathsFrame, BartError> {
-    let header = &header.in_frame(frame.index);
     check_order(header.fidelity.bounces)?;
     check_road(header)?;
     let gains = BodyGains::of(models, header, frame)?;

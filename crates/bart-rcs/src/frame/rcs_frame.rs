@@ -41,7 +41,6 @@ pub(crate) fn rcs_frame(
     frame: &SceneFrame,
     progress: &dyn Progress,
 ) -> Result<RcsFrame, BartError> {
-    let header = &header.in_frame(frame.index);
     check_order(header.fidelity.bounces)?;
     check_road(header)?;
     check_wheels(models, header)?;

@@ -80,7 +80,7 @@ pub(crate) fn echo_parts(
     progress: &dyn Progress,
 ) -> Result<Option<EchoParts>, BartError> {
     let nodes = header.fidelity.nodes;
-    let header = &looked_at(&header.in_frame(frame.index));
+    let header = &looked_at(header);
     let gains = BodyGains::of(models, header, frame)?;
     let plan = Plan::of(header, frame, progress).with_gains(gains);
     let world = World::posed(models, header, frame, plan.check_s)?;
