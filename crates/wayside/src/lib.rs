@@ -3,10 +3,9 @@
 //! angles, point clouds, tracks, classes.
 //!
 //! ```no_run
-//! let settings = wayside::Settings::of("scenes/intersection.toml", "out/intersection");
-//! let outcome = wayside::run(&settings)?;
-//! for target in outcome.summary().iter().flat_map(|summary| &summary.frames[0].targets) {
-//!     println!("{}: {:?} m", target.id, target.estimate.map(|estimate| estimate.range_m));
+//! let outcome = wayside::run(&wayside::Settings::of("scenes/intersection.toml", "out/intersection"))?;
+//! for object in outcome.points()?.iter().flat_map(|frame| &frame.objects) {
+//!     println!("{:.2} m, {:.2} m/s", object.range_m, object.radial_velocity_mps);
 //! }
 //! # Ok::<(), wayside::Failure>(())
 //! ```
@@ -35,4 +34,4 @@ pub use host::call_off::CallOff;
 pub use host::failure::Failure;
 pub use host::memory::Allowance;
 pub use outcome::summary::{RadarsSummary, Summary};
-pub use run::{Outcome, Settings, run};
+pub use run::{Outcome, RadarOutcome, Settings, run};

@@ -24,8 +24,8 @@ use std::path::{Path, PathBuf};
 const SCENE: &str = "scene.scene";
 const CUBE: &str = "frames.cube";
 const RDM: &str = "frames.rdm";
-const POINTS: &str = "frames.points";
-const TRACKS: &str = "frames.tracks";
+pub(super) const POINTS: &str = "frames.points";
+pub(super) const TRACKS: &str = "frames.tracks";
 
 pub(super) fn scattering_name(echo: EchoMode) -> &'static str {
     match echo {

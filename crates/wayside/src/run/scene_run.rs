@@ -4,8 +4,11 @@ use crate::remarks;
 use crate::run::earlier_results::Results;
 use crate::run::leftovers;
 use crate::run::products::{self, Products};
-use crate::run::several_radars::{self, Told};
+use crate::run::radar_outcome::RadarOutcome;
+use crate::run::several_radars;
+use artifact::points::PointsFrame;
 use artifact::scene::SceneHeader;
+use artifact::tracks::TracksFrame;
 use pipeline::chain::cache::{Cache, CacheLocation};
 use pipeline::chain::expectation::{self, Expectation, Total};
 use pipeline::chain::frames::{each_frame, resolved};
@@ -75,7 +78,7 @@ impl Settings<'_> {
 
 /// Result of a run beside its files.
 pub struct Outcome {
-    of_radars: Vec<Told>,
+    of_radars: Vec<RadarOutcome>,
     of_all: Option<RadarsSummary>,
 }
 
@@ -83,15 +86,53 @@ impl Outcome {
     /// Summary of a scene with one radar, as in `summary.json`; `None` after a dry run, and if the scene has
     /// several radars.
     pub fn summary(&self) -> Option<&Summary> {
-        match &self.of_radars[..] {
-            [only] => Some(&only.summary),
-            _ => None,
-        }
+        self.only_radar().map(RadarOutcome::summary)
     }
 
-    /// Folder and summary of each radar; none after a dry run.
-    pub fn radars(&self) -> impl Iterator<Item = (&Path, &Summary)> {
-        self.of_radars.iter().map(|told| (told.out.as_path(), &told.summary))
+    /// Points and objects of every frame of a scene with one radar, read from `frames.points`; empty where
+    /// [`Self::summary`] is `None`.
+    ///
+    /// ```no_run
+    /// let outcome = wayside::run(&wayside::Settings::of("crossing.toml", "out/crossing"))?;
+    /// for point in outcome.points()?.iter().flat_map(|frame| &frame.points) {
+    ///     println!("{:.2} m, {:.1} dB", point.range_m, point.snr_db);
+    /// }
+    /// # Ok::<(), wayside::Failure>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A file that was removed or damaged after the run.
+    pub fn points(&self) -> Result<Vec<PointsFrame>, Failure> {
+        self.only_radar().map_or(Ok(vec![]), RadarOutcome::points)
+    }
+
+    /// Tracks of every frame of a scene with one radar, read from `frames.tracks`; empty where
+    /// [`Self::summary`] is `None`.
+    ///
+    /// ```no_run
+    /// let outcome = wayside::run(&wayside::Settings::of("crossing.toml", "out/crossing"))?;
+    /// for track in outcome.tracks()?.iter().flat_map(|frame| &frame.tracks) {
+    ///     println!("{}: {:?} m, {:?}", track.id, track.position_m, track.state);
+    /// }
+    /// # Ok::<(), wayside::Failure>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A file that was removed or damaged after the run.
+    pub fn tracks(&self) -> Result<Vec<TracksFrame>, Failure> {
+        self.only_radar().map_or(Ok(vec![]), RadarOutcome::tracks)
+    }
+
+    /// Result of each radar, with its folder; none after a dry run.
+    pub fn radars(&self) -> &[RadarOutcome] {
+        &self.of_radars
+    }
+
+    fn only_radar(&self) -> Option<&RadarOutcome> {
+        match &self.of_radars[..] {
+            [only] => Some(only),
+            _ => None,
+        }
     }
 
     /// Summary of the radars of a scene side by side; `None` if it has one, or one was requested.
@@ -143,7 +184,7 @@ fn whole(settings: &Settings) -> Result<Outcome, Failure> {
         }
         let forget = |_: &Failure| above.iter().for_each(|out| Results::in_common(out, 1).forget_if_none());
         match one_radar(settings, planned, cache.as_ref(), model.as_ref(), out).inspect_err(forget)? {
-            OfRadar::Ran(told) => of_radars.push(*told),
+            OfRadar::Ran(outcome) => of_radars.push(*outcome),
             OfRadar::Expected(total) => expected.push(total),
         }
     }
@@ -226,7 +267,7 @@ fn runs(settings: &Settings) -> Result<Vec<Run>, Failure> {
 /// Result of one radar.
 enum OfRadar {
     /// A finished run.
-    Ran(Box<Told>),
+    Ran(Box<RadarOutcome>),
     /// Expected cost of its frames, for a dry run.
     Expected(Total),
 }
@@ -265,7 +306,7 @@ fn one_radar(
         cache.trim();
     }
     let summary = conclude(planned, computed, took, &figures, settings, out)?;
-    Ok(OfRadar::Ran(Box::new(Told { summary, seen: figures.seen, out: out.to_owned() })))
+    Ok(OfRadar::Ran(Box::new(RadarOutcome { summary, seen: figures.seen, out: out.to_owned() })))
 }
 
 /// Duration of all frames, to the end of the last picture.

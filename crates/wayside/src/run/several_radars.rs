@@ -3,38 +3,16 @@
 
 use crate::run::earlier_results::Results;
 use crate::run::leftovers;
+use crate::run::radar_outcome::RadarOutcome;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
-use pipeline::host::frame_matching::is_same_time;
 use pipeline::outcome::console_lines;
-use pipeline::outcome::summary::{RadarsSummary, Summary, common_times_s};
+use pipeline::outcome::summary::{RadarsSummary, common_times_s};
 use plotting::form::Figure;
 use reporting::pictures;
 use reporting::pictures::common_view;
-use reporting::pictures::radar_view::Seen;
 use reporting::report::{self, FRAMES_DRAWN, Making};
 use std::path::{Path, PathBuf};
-
-/// A finished run with one radar.
-pub(crate) struct Told {
-    /// Summary of the run, as in `summary.json`.
-    pub(crate) summary: Summary,
-    /// Points and scenes of the run's first frames.
-    pub(crate) seen: Vec<Seen>,
-    /// Folder of the run; the last name is the radar's.
-    pub(crate) out: PathBuf,
-}
-
-impl Told {
-    fn id(&self) -> &str {
-        self.out.file_name().and_then(|name| name.to_str()).unwrap_or_default()
-    }
-
-    /// Frame that begins at the given time.
-    fn seen_at(&self, time_s: f64) -> Option<&Seen> {
-        self.seen.iter().find(|seen| is_same_time(seen.scene.time_s, time_s))
-    }
-}
 
 /// Folder of the radars' common results, above those of the radars.
 pub(crate) fn above(out: &Path) -> &Path {
@@ -69,7 +47,7 @@ fn picture(out: &Path, number: usize) -> PathBuf {
 
 /// Writes the common results, one folder above those of the radars, and prints them.
 pub(crate) fn conclude(
-    radars: &[Told],
+    radars: &[RadarOutcome],
     making: &Making,
     tell: &dyn Fn(&str),
 ) -> Result<RadarsSummary, Failure> {
@@ -90,8 +68,8 @@ pub(crate) fn conclude(
 }
 
 /// Views from above of the first common frames, as long as every radar has a frame beginning then.
-fn views(radars: &[Told]) -> Vec<Figure> {
-    let times_s = |radar: &Told| radar.seen.iter().map(|seen| seen.scene.time_s).collect();
+fn views(radars: &[RadarOutcome]) -> Vec<Figure> {
+    let times_s = |radar: &RadarOutcome| radar.seen.iter().map(|seen| seen.scene.time_s).collect();
     let times_s: Vec<Vec<f64>> = radars.iter().map(times_s).collect();
     let view = |(number, time_s): (usize, f64)| {
         let all: Vec<_> =

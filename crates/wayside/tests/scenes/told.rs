@@ -65,6 +65,29 @@ fn a_summary_is_read_as_it_was_handed_out_and_keys_of_later_versions_are_passed_
 }
 
 #[test]
+fn a_run_hands_out_the_points_and_tracks_that_it_wrote_and_may_be_repeated() {
+    let place = Workplace::new();
+    let settings = |dry_run: bool| wayside::Settings {
+        cache: None,
+        dry_run,
+        ..wayside::Settings::of(place.path("small.toml"), place.path("out"))
+    };
+    let outcome = wayside::run(&settings(false)).unwrap();
+    let (points, tracks) = (outcome.points().unwrap(), outcome.tracks().unwrap());
+    assert_eq!(points.iter().map(|frame| frame.index).collect::<Vec<_>>(), [0, 1]);
+    assert_eq!(tracks.iter().map(|frame| frame.index).collect::<Vec<_>>(), [0, 1]);
+    let reflector = outcome.summary().unwrap().frames[1].targets[1].estimate.unwrap();
+    assert!(points[1].objects.iter().any(|object| object.range_m.to_bits() == reflector.range_m.to_bits()));
+    assert_eq!(outcome.radars()[0].folder(), place.path("out"));
+    // Files that were read back are no inputs, which a run in this process would refuse to replace.
+    wayside::run(&settings(false)).unwrap();
+    std::fs::remove_file(place.path("out/frames.points")).unwrap();
+    let gone = outcome.points().unwrap_err().to_string();
+    assert!(gone.contains("frames.points"), "{gone}");
+    assert!(wayside::run(&settings(true)).unwrap().points().unwrap().is_empty());
+}
+
+#[test]
 fn an_accuracy_that_was_not_reached_is_said_with_what_limits_it_and_what_would_help() {
     let place = Workplace::new();
     // Drawn points stand for a trihedral, at an error larger than the echo itself.
