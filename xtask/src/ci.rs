@@ -109,6 +109,7 @@ fn each(checks: &[(&str, Check)], tally: &mut Tally) -> Result<(), Failure> {
 
 fn good(name: &str, check: impl FnOnce() -> Result<(), Failure>) -> Result<(), Failure> {
     terminal::line(format!("== {name}"));
+    terminal::call_off().check()?;
     let start = Instant::now();
     check().map_err(|e| Failure::Refused(format!("ci: {name}: {e}")))?;
     terminal::line(format!("== {name}: good, {:.0} s", start.elapsed().as_secs_f64()));

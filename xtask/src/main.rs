@@ -21,7 +21,10 @@ use wayside::program::means::Means;
 use wayside::program::{self, terminal};
 
 fn main() -> ExitCode {
-    let (arguments, word): (cli::Arguments, _) = program::cli::parse_or_exit();
+    let (arguments, word) = match program::cli::parsed::<cli::Arguments>() {
+        Ok(parsed) => parsed,
+        Err(code) => return code,
+    };
     let command = arguments.command;
     terminal::expect(command.results());
     program::enter("cargo xtask", word, &arguments.general, |means| carry_out(command, means))

@@ -25,7 +25,10 @@ use std::process::ExitCode;
 
 /// Runs the binary `wayside`.
 pub fn main() -> ExitCode {
-    let (arguments, word): (cli::Arguments, _) = cli::parse_or_exit();
+    let (arguments, word) = match cli::parsed::<cli::Arguments>() {
+        Ok(parsed) => parsed,
+        Err(code) => return code,
+    };
     let command = arguments.command;
     terminal::expect(command.results());
     enter("wayside", word, &arguments.general, |means| commands::dispatch(command, means))
@@ -50,14 +53,7 @@ pub fn enter(
         let _under_way = Work::begin(means.command.as_str());
         work(&means)
     });
-    terminal::end_progress();
-    match ended {
-        Ok(()) => {
-            terminal::finish(Ok(()));
-            ExitCode::SUCCESS
-        }
-        Err(failure) => exit_codes::report(&failure),
-    }
+    exit_codes::of(ended)
 }
 
 fn limit_threads(threads: Option<u16>) -> Result<(), Failure> {

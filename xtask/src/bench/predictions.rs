@@ -47,6 +47,7 @@ pub(super) fn run(arguments: &BenchArguments) -> Result<(), Failure> {
         };
         let Some(row) = row else { continue };
         terminal::line(line(&row));
+        terminal::call_off().check()?;
         rows.push(row);
         if let (Some(file), None) = (&arguments.out, known) {
             // Written after each scene, so that hours of work do not depend on the last one.

@@ -1,5 +1,6 @@
 //! Command-line arguments. `docs/interface.md` describes their meaning and guarantees their defaults.
 
+use crate::program::exit_codes;
 use crate::program::export_formats::help_on_formats;
 #[cfg(feature = "classifier")]
 use crate::program::learning_cli::LearningCommand;
@@ -24,6 +25,7 @@ use formats::devices::{Board, IqOrder, Lanes};
 use pipeline::chain::cache::CacheLocation;
 use pipeline::chain::loading::SceneSource;
 use std::path::PathBuf;
+use std::process::ExitCode;
 
 /// Radar simulator for traffic: scattering at 77 GHz, FMCW echoes, detection, tracking, classification.
 #[derive(Debug, Parser)]
@@ -64,22 +66,27 @@ impl Command {
     }
 }
 
-/// Parses the arguments of this process; returns them and the name of the command. Ends the program with exit
-/// code 2 on wrong arguments, 0 after `--help`. Option values may begin with a minus.
-pub fn parse_or_exit<P: Parser>() -> (P, String) {
+/// Parses the arguments of this process; returns them and the name of the command. Option values may begin
+/// with a minus.
+///
+/// # Errors
+/// The exit code after wrong arguments, 2, and after `--help` or `--version`, 0, which were printed.
+pub fn parsed<P: Parser>() -> Result<(P, String), ExitCode> {
     let matches = with_negative_values(P::command()).try_get_matches();
-    let matches = matches.unwrap_or_else(|told| tell_and_exit(&suggest::<P>(told)));
+    let matches = matches.map_err(|error| printed(&suggest::<P>(error)))?;
     let command = matches.subcommand_name().unwrap_or_default().to_owned();
-    (P::from_arg_matches(&matches).unwrap_or_else(|e| e.exit()), command)
+    let arguments = P::from_arg_matches(&matches).map_err(|error| printed(&error))?;
+    Ok((arguments, command))
 }
 
-/// Prints help, the version or an error and exits; help and version are results, errors are not.
-fn tell_and_exit(told: &clap::Error) -> ! {
+/// Prints help, the version or an error; help and version are results, errors are not.
+fn printed(told: &clap::Error) -> ExitCode {
     let printed = told.print();
-    if !told.use_stderr() {
-        terminal::finish(printed);
+    if told.use_stderr() {
+        return ExitCode::from(exit_codes::WRONG_USAGE);
     }
-    std::process::exit(told.exit_code())
+    terminal::keep(printed);
+    exit_codes::of(Ok(()))
 }
 
 fn with_negative_values(command: clap::Command) -> clap::Command {

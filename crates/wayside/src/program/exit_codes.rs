@@ -1,21 +1,32 @@
-//! Exit of the program after a failed command.
+//! Exit code of the program.
 
 use crate::program::terminal;
 use pipeline::host::failure::Failure;
 use pipeline::host::safe_text;
 use std::process::ExitCode;
 
+/// Ends the output after work with this end and returns the exit code: 0 if all went well and was printed.
+pub(crate) fn of(ended: Result<(), Failure>) -> ExitCode {
+    terminal::end_progress();
+    match terminal::finish(ended) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => report(&failure),
+    }
+}
+
 /// Prints the error on standard error; exit code 1 for a refusal, 2 for errors of the system or of the
 /// arguments, 130 for a cancelled command.
-pub(crate) fn report(failure: &Failure) -> ExitCode {
-    terminal::end_progress();
+fn report(failure: &Failure) -> ExitCode {
     terminal::say(format_args!("error: {}", printable(&failure.to_string())));
     match failure {
         Failure::Refused(_) | Failure::Unplaced(_) => ExitCode::from(1),
-        Failure::System(_) => ExitCode::from(2),
+        Failure::System(_) => ExitCode::from(WRONG_USAGE),
         Failure::CalledOff => ExitCode::from(130),
     }
 }
+
+/// Exit code for wrong arguments, and for what the system refuses.
+pub(crate) const WRONG_USAGE: u8 = 2;
 
 /// Makes text of a file safe for a terminal: without cursor control, each line no longer than a screen.
 fn printable(text: &str) -> String {

@@ -18,6 +18,8 @@ pub(crate) fn install() {
         let _nothing_new = artifact::whole_file::abandon_all();
         let kept = *KEPT.lock().unwrap_or_else(PoisonError::into_inner);
         terminal::say_last(format_args!("interrupted; {}", left_behind(kept)));
+        // The handler runs on a thread of its own, from which `main` cannot be made to return: the work would
+        // go on to the end of its frame, for minutes.
         std::process::exit(130);
     };
     if let Err(error) = ctrlc::set_handler(handler) {

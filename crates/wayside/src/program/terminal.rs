@@ -2,13 +2,14 @@
 //! plain lines elsewhere, which `--quiet` silences. One thread polls all running work ten times a second, so
 //! that even a command within one long step shows a line 2 s after its beginning at the latest.
 
-use artifact::whole_file;
 use indicatif::{ProgressBar, ProgressStyle};
+use pipeline::host::call_off::CallOff;
+use pipeline::host::failure::Failure;
 use pipeline::host::progress;
 use pipeline::host::safe_text;
 use std::io::{ErrorKind, IsTerminal, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -106,14 +107,23 @@ pub fn expect(results: Results) {
 
 static GOES_ON: AtomicBool = AtomicBool::new(false);
 static IS_UNHEARD: AtomicBool = AtomicBool::new(false);
+/// First failure of standard output, until the program ends.
+static FAILED: Mutex<Option<std::io::Error>> = Mutex::new(None);
+static CALL_OFF: LazyLock<CallOff> = LazyLock::new(CallOff::default);
+
+/// Switch that cancels work whose results can no longer be printed: the disk is full, or the reader of a
+/// command that prints lines only has gone away.
+pub fn call_off() -> CallOff {
+    CALL_OFF.clone()
+}
 
 /// Silences the lines of results, for callers that need only a command's files and refusals.
 pub fn mute() {
     IS_UNHEARD.store(true, Ordering::Relaxed);
 }
 
-/// Prints a line of results, in which no name breaks the line or moves the cursor. A write failure ends the
-/// program, because its results have no other place.
+/// Prints a line of results, in which no name breaks the line or moves the cursor. After a failed write
+/// nothing more is printed, the work is cancelled ([`call_off`]), and the program ends with this failure.
 pub fn line(text: impl std::fmt::Display) {
     print(&safe_text::in_a_line(&text.to_string()));
 }
@@ -124,21 +134,34 @@ pub fn lines(text: &str) {
 }
 
 fn print(text: &str) {
-    if IS_UNHEARD.load(Ordering::Relaxed) {
-        return;
-    }
-    if let Err(error) = beside_the_bar(|| writeln!(std::io::stdout(), "{text}")) {
-        give_up(&error);
+    if !IS_UNHEARD.load(Ordering::Relaxed) {
+        keep(beside_the_bar(|| writeln!(std::io::stdout(), "{text}")));
     }
 }
 
-/// Flushes standard output after a print whose result was `printed`.
-pub(crate) fn finish(printed: std::io::Result<()>) {
-    if IS_UNHEARD.load(Ordering::Relaxed) {
-        return;
+/// Keeps a failure to print for the end of the program and cancels the work. A reader that has gone away is
+/// no failure if the results are files.
+pub(crate) fn keep(printed: std::io::Result<()>) {
+    let Err(error) = printed else { return };
+    IS_UNHEARD.store(true, Ordering::Relaxed);
+    if error.kind() != ErrorKind::BrokenPipe || !GOES_ON.load(Ordering::Relaxed) {
+        locked(&FAILED).get_or_insert(error);
+        CALL_OFF.call_off();
     }
-    if let Err(error) = printed.and_then(|()| std::io::stdout().flush()) {
-        give_up(&error);
+}
+
+/// Flushes standard output after work with this end. A failure to print takes the place of the end; if the
+/// reader has gone away, the work that was cancelled for it has ended well.
+pub(crate) fn finish(ended: Result<(), Failure>) -> Result<(), Failure> {
+    if ended.is_ok() && !IS_UNHEARD.load(Ordering::Relaxed) {
+        keep(std::io::stdout().flush());
+    }
+    match locked(&FAILED).take() {
+        Some(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(Failure::System(format!("standard output: cannot write: {error}")))
+        }
+        Some(_) if matches!(ended, Err(Failure::CalledOff)) => Ok(()),
+        _ => ended,
     }
 }
 
@@ -162,19 +185,4 @@ fn say_unless(is_said: &bool, text: impl std::fmt::Display) {
     if !is_said {
         let _ = writeln!(std::io::stderr(), "{text}");
     }
-}
-
-/// Ends the program when output fails: with exit code 2 if the disk is full, quietly if the reader has gone
-/// away and nothing else receives the results. Unfinished files are removed either way.
-fn give_up(error: &std::io::Error) {
-    if error.kind() == ErrorKind::BrokenPipe && GOES_ON.load(Ordering::Relaxed) {
-        IS_UNHEARD.store(true, Ordering::Relaxed);
-        return;
-    }
-    let _nothing_new = whole_file::abandon_all();
-    if error.kind() == ErrorKind::BrokenPipe {
-        std::process::exit(0);
-    }
-    say_last(format_args!("error: standard output: cannot write: {error}"));
-    std::process::exit(2);
 }

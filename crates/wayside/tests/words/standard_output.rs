@@ -48,6 +48,9 @@ fn what_cannot_be_written_to_standard_output_is_exit_code_2() {
     let left: Vec<_> =
         ["b", "c"].iter().flat_map(|folder| names(&place, folder)).filter(|n| n.contains("part")).collect();
     assert!(left.is_empty(), "{left:?}");
+    for whole in ["b/frames.points", "c/frames.points"] {
+        assert!(!place.path(whole).exists(), "{whole}: the work went on after its first line was lost");
+    }
 }
 
 fn names(place: &Workplace, folder: &str) -> Vec<String> {

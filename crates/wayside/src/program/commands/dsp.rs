@@ -85,6 +85,7 @@ impl DspProducts<'_> {
         for (rdm, points) in rdms.iter().zip(self.receiver.resolved(points)) {
             let tracks = self.tracker.step(&points).map_err(Failure::refused)?;
             tell(rdm, &points, &tracks);
+            terminal::call_off().check()?;
             if let Some(folder) = &self.pictures {
                 pictures::of_map(self.header, rdm, &points, folder)?;
             }

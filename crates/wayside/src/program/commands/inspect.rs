@@ -1,7 +1,7 @@
 //! `inspect`: header, provenance, shape, units and a sanity line of any artifact.
 
 use crate::program::cli::InspectArguments;
-use crate::program::terminal::line;
+use crate::program::terminal::{call_off, line};
 use artifact::classes::Classes;
 use artifact::cube::{Cube, CubeHeader};
 use artifact::dataset::Dataset;
@@ -41,6 +41,12 @@ pub(crate) fn run(arguments: &InspectArguments) -> Result<(), Failure> {
         Classes::NAME => classes(Reader::open(file)?),
         other => Err(unknown(file, other)),
     }
+}
+
+/// Frames of an artifact, as long as what is said of them can be printed.
+fn frames<S: Schema>(reader: Reader<S>) -> impl Iterator<Item = Result<S::Frame, Failure>> {
+    let call_off = call_off();
+    progress::frames(reader).map(move |frame| call_off.check().and_then(|()| Ok(frame?)))
 }
 
 /// Prints the line of a frame: its number and time, its content, and whether that is valid.
@@ -121,7 +127,7 @@ fn scene(reader: Reader<Scene>) -> Result<(), Failure> {
             mesh.name
         ));
     }
-    for frame in progress::frames(reader) {
+    for frame in frames(reader) {
         let frame = frame?;
         let finite =
             frame.poses.iter().all(|p| p.position_m.iter().chain(&p.velocity_mps).all(|v| v.is_finite()));
@@ -141,7 +147,7 @@ fn paths(reader: Reader<Paths>) -> Result<(), Failure> {
         header.centre_frequency_hz / 1e9
     ));
     line(format!("targets      {}", header.targets.join(", ")));
-    for frame in progress::frames(reader) {
+    for frame in frames(reader) {
         let frame = frame?;
         let power: f64 = frame.paths.iter().map(|p| p.amplitude_m[0][0].norm_sqr()).sum();
         let (count, by_order, level_dbsm) = (frame.paths.len(), frame.trace.paths, db_from_power(power));
@@ -159,7 +165,7 @@ fn of_detail(target: usize, detail: &TargetDetail) -> String {
 
 fn rcs(reader: Reader<Rcs>) -> Result<(), Failure> {
     let targets = reader.header().targets.clone();
-    for frame in progress::frames(reader) {
+    for frame in frames(reader) {
         let frame = frame?;
         for table in &frame.tables {
             let shape = [table.frequency_hz.len(), table.elevation_rad.len(), table.azimuth_rad.len()];
@@ -182,7 +188,7 @@ fn cube(reader: Reader<Cube>) -> Result<(), Failure> {
     radar(&header.radar);
     let shape = header.shape();
     line(format!("shape        [channel, chirp, sample] = {shape:?}, {}", header.unit.words()));
-    for frame in progress::frames(reader) {
+    for frame in frames(reader) {
         let frame = frame?;
         let level_db = header.unit.level_db(mean_power(&frame.samples));
         samples((frame.index, frame.time_s), &frame.samples, shape, (level_db, header.unit.level_unit()));
@@ -198,7 +204,7 @@ fn rdm(reader: Reader<Rdm>) -> Result<(), Failure> {
     }
     let shape = artifact::rdm::shape(&header);
     line(format!("shape        [channel, doppler, range] = {shape:?}, {}", header.unit.words()));
-    for frame in progress::frames(reader) {
+    for frame in frames(reader) {
         let frame = frame?;
         let level_db = header.map_level_db(mean_power(&frame.values), 1);
         samples((frame.index, frame.time_s), &frame.values, shape, (level_db, header.unit.level_unit()));
@@ -230,7 +236,7 @@ fn points(reader: Reader<Points>) -> Result<(), Failure> {
         directions(&cube.radar);
     }
     line("units        m, m/s, rad, dB; world axes");
-    for frame in progress::frames(reader) {
+    for frame in frames(reader) {
         let frame = frame?;
         let finite = frame.points.iter().all(|p| p.position_m.iter().all(|x| x.is_finite()));
         let (points, objects) = (frame.points.len(), frame.objects.len());
@@ -249,7 +255,7 @@ fn tracks(reader: Reader<Tracks>) -> Result<(), Failure> {
         directions(&cube.radar);
     }
     line("units        m, m/s, rad; world axes");
-    for frame in progress::frames(reader) {
+    for frame in frames(reader) {
         let frame = frame?;
         let finite =
             frame.tracks.iter().all(|t| t.position_m.iter().chain(&t.velocity_mps).all(|v| v.is_finite()));
@@ -270,7 +276,7 @@ fn dataset(reader: Reader<Dataset>) -> Result<(), Failure> {
     ));
     let mut counts = std::collections::BTreeMap::new();
     let mut complete = true;
-    for sample in progress::frames(reader) {
+    for sample in frames(reader) {
         let sample = sample?;
         complete &= sample.crop.is_none_or(|crop| crop.pixels.len() == (f.side as usize).pow(2));
         *counts.entry((sample.split, sample.class)).or_insert(0_u64) += 1;
@@ -285,7 +291,7 @@ fn dataset(reader: Reader<Dataset>) -> Result<(), Failure> {
 fn classes(reader: Reader<Classes>) -> Result<(), Failure> {
     let names: Vec<_> = reader.header().classes.iter().map(|class| class.name()).collect();
     line(format!("classes      {}", names.join(", ")));
-    for frame in progress::frames(reader) {
+    for frame in frames(reader) {
         let probabilities = frame?.probabilities;
         let sound = probabilities.iter().flatten().all(|p| (0.0..=1.0).contains(p));
         line(format!("objects      {}, {}", probabilities.len(), SANITY[usize::from(sound)]));

@@ -6,7 +6,6 @@ use crate::program::means::Means;
 use crate::program::terminal;
 use crate::run::{self, Settings};
 use pipeline::chain::cache::{Cache, CacheLocation};
-use pipeline::host::call_off::CallOff;
 use pipeline::host::failure::Failure;
 
 pub(crate) fn run(arguments: &RunArguments, means: &Means) -> Result<(), Failure> {
@@ -24,7 +23,7 @@ pub(crate) fn run(arguments: &RunArguments, means: &Means) -> Result<(), Failure
         explain: arguments.explain,
         making: means.making.clone(),
         tell: &|line| terminal::line(line),
-        call_off: CallOff::default(),
+        call_off: terminal::call_off(),
     };
     run::run(&settings).map(drop)
 }

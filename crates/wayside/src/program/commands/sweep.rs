@@ -4,7 +4,6 @@ use crate::program::cli::SweepArguments;
 use crate::program::interrupt;
 use crate::program::means::Means;
 use crate::program::terminal;
-use pipeline::host::call_off::CallOff;
 use pipeline::host::failure::Failure;
 use reporting::report::Making;
 use std::path::Path;
@@ -22,7 +21,7 @@ pub(crate) fn run(arguments: &SweepArguments, means: &Means) -> Result<(), Failu
         memory: means.memory,
         command: command_of_the_whole(arguments, &means.making.program),
         tell: &|line| terminal::line(line),
-        call_off: CallOff::default(),
+        call_off: terminal::call_off(),
     };
     sweeps::run(&settings).map(drop)
 }

@@ -55,6 +55,7 @@ fn maps(model: &LoadedModel, file: &Path) -> Result<(), Failure> {
     for rdm in progress::frames(reader) {
         let rdm = rdm?;
         let points = receiver.detect(&rdm).map_err(Failure::refused)?;
+        terminal::call_off().check()?;
         for (object, p) in model.classify(&receiver, &rdm, &points)?.iter().enumerate() {
             tell(model, file, rdm.index, &object.to_string(), p);
         }
@@ -72,6 +73,7 @@ fn samples(model: &LoadedModel, file: &Path) -> Result<(), Failure> {
         if batch.is_empty() {
             return Ok(());
         }
+        terminal::call_off().check()?;
         for (sample, p) in batch.iter().zip(model.of_samples(&batch).map_err(|failure| failure.about(file))?)
         {
             tell(model, file, sample.frame, &sample.id, &p);
