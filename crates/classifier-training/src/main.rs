@@ -40,11 +40,11 @@ fn main() -> ExitCode {
     match run(&Arguments::parse()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) if error.is_system() => {
-            say(&json!({ "system": error.to_string() }));
+            print_line(&json!({ "system": error.to_string() }));
             ExitCode::from(2)
         }
         Err(error) => {
-            say(&json!({ "refused": error.to_string() }));
+            print_line(&json!({ "refused": error.to_string() }));
             ExitCode::FAILURE
         }
     }
@@ -53,16 +53,16 @@ fn main() -> ExitCode {
 fn run(arguments: &Arguments) -> Result<(), TrainingError> {
     let format = format_of(&arguments.shards)?.ok_or(TrainingError::NoShards)?;
     let samples = arguments.shards.iter().flat_map(|shard| samples_of(shard));
-    let mut progress = |p: Progress| say(&json!({ "at": p.iteration, "of": p.iterations }));
+    let mut progress = |p: Progress| print_line(&json!({ "at": p.iteration, "of": p.iterations }));
     if let Some(deal) = arguments.deal {
         let settings = (&TrainSettings::dealt(arguments.iterations), deal.into());
         let trained = train_dealt(samples, &format, settings, arguments.seed, &mut progress)?;
-        say(&json!({ "metrics": trained.metrics, "curves": trained.curves }));
+        print_line(&json!({ "metrics": trained.metrics, "curves": trained.curves }));
     } else if let Some(out) = &arguments.out {
         let settings = TrainSettings::of_maps(arguments.iterations);
         let trained = train(samples, &format, &settings, arguments.seed, &mut progress)?;
         save_model(out, &trained, &provenance(arguments, &settings)?)?;
-        told(&trained);
+        print_accuracy(&trained);
     }
     Ok(())
 }
@@ -98,18 +98,20 @@ fn provenance(arguments: &Arguments, settings: &TrainSettings) -> Result<Provena
     })
 }
 
-fn told(trained: &Trained) {
+/// Prints the accuracy on each split.
+fn print_accuracy(trained: &Trained) {
     for (split, evaluation) in &trained.metrics.splits {
         let [low, high] = evaluation.accuracy_interval.map(|share| 100.0 * share);
         let (right, of) = (100.0 * evaluation.accuracy, evaluation.samples);
         let sentence =
             format!("{split:?}: {right:.1} % of {of} right (95 % interval {low:.1} … {high:.1} %)");
-        say(&json!({ "told": sentence }));
+        print_line(&json!({ "told": sentence }));
     }
 }
 
-/// A training that nobody hears of any more is given up: whoever began it was ended.
-fn say(line: &Value) {
+/// Prints a JSON object. A training whose output nobody reads any more is given up: whoever began it has
+/// ended. The library has no way to call it off from its progress, so the process ends here.
+fn print_line(line: &Value) {
     if writeln!(std::io::stdout(), "{line}").is_err() {
         let _nothing_new = artifact::whole_file::abandon_all();
         std::process::exit(2);

@@ -26,7 +26,7 @@ use recipe::Recipe;
 use std::path::{Path, PathBuf};
 
 /// Settings of a dataset: its recipe, and the task.
-pub struct Settings<'a> {
+pub struct DatasetSettings<'a> {
     /// Recipe (`docs/datasets.md`).
     pub recipe: PathBuf,
     /// Folder of the dataset; complete shards in it are reused.
@@ -59,7 +59,7 @@ pub enum Task {
 ///
 /// # Errors
 /// A sentence that names file, place and rule if the recipe or a model is refused; completed shards are kept.
-pub fn run(settings: &Settings) -> Result<(), Failure> {
+pub fn run(settings: &DatasetSettings) -> Result<(), Failure> {
     let recipe = Recipe::read(&settings.recipe, settings.seed)?;
     let layout = Layout::of(&recipe, &settings.out);
     if settings.task == Task::Predict {

@@ -22,7 +22,7 @@ const BATCH: usize = 256;
 const LEAST_PROBABILITY: f32 = 1e-6;
 
 /// Settings of an evaluation.
-pub struct Settings {
+pub struct EvaluationSettings {
     /// Model file or folder.
     pub model: PathBuf,
     /// Folders of datasets.
@@ -36,7 +36,7 @@ pub struct Settings {
 /// # Errors
 /// A sentence that names the file if a model or a shard is damaged, or has another radar's signatures, and
 /// the first folder if no sample has a class.
-pub fn run(settings: &Settings) -> Result<String, Failure> {
+pub fn run(settings: &EvaluationSettings) -> Result<String, Failure> {
     let model = LoadedModel::read(&settings.model)?;
     let datasets = DatasetFolder::open_all(&settings.datasets)?;
     if let Some(out) = &settings.out {

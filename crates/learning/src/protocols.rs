@@ -26,7 +26,7 @@ use std::fmt::Write;
 use std::iter;
 use std::path::{Path, PathBuf};
 
-pub use settings::Settings;
+pub use settings::ProtocolSettings;
 
 /// Arrays with a row in the table.
 const ARRAYS: [(&str, Kept); 3] =
@@ -47,7 +47,7 @@ const COLUMNS: [&str; 7] = [
 /// # Errors
 /// A sentence that names file and rule if a shard is damaged, a class is missing, or a setting does not apply
 /// to the learner.
-pub fn run(settings: &Settings) -> Result<String, Failure> {
+pub fn run(settings: &ProtocolSettings) -> Result<String, Failure> {
     if settings.learner == Learner::Trees && settings.iterations.is_some() {
         return Err(iterations_of_trees());
     }
@@ -65,7 +65,7 @@ pub fn run(settings: &Settings) -> Result<String, Failure> {
 }
 
 fn of_trees(
-    settings: &Settings,
+    settings: &ProtocolSettings,
     datasets: &[DatasetFolder],
     of_tests: &[DatasetFolder],
 ) -> Result<String, Failure> {

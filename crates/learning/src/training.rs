@@ -16,14 +16,14 @@ use std::path::PathBuf;
 
 pub(crate) use lone_vehicles::note_lone_vehicles;
 pub use network::{PROGRAM, target_folder};
-pub use settings::{Learner, PAPER_ITERATIONS, Settings};
+pub use settings::{Learner, PAPER_ITERATIONS, TrainingSettings};
 
 /// Trains a model and writes its folder.
 ///
 /// # Errors
 /// A sentence that names file and rule if a shard is damaged, a class is missing, or a setting does not apply
 /// to the learner.
-pub fn run(settings: &Settings) -> Result<(), Failure> {
+pub fn run(settings: &TrainingSettings) -> Result<(), Failure> {
     check(settings)?;
     let opened = DatasetFolder::open_all(&settings.datasets)?;
     for DatasetFolder { folder, shards } in &opened {
@@ -38,7 +38,7 @@ pub fn run(settings: &Settings) -> Result<(), Failure> {
 }
 
 /// Refuses settings that do not apply to the learner.
-fn check(settings: &Settings) -> Result<(), Failure> {
+fn check(settings: &TrainingSettings) -> Result<(), Failure> {
     match (settings.learner, &settings.attributions) {
         (Learner::Trees, _) if settings.iterations.is_some() => Err(iterations_of_trees()),
         (Learner::Paper, Some(file)) => Err(Failure::System(format!(

@@ -19,7 +19,7 @@ use artifact::settings::{EchoMode, NodeRule, Sides};
 use choice::{Budget, Choice, Fixed};
 use costs::PartCosts;
 use echo_shares::Shares;
-use physics_part::Part;
+use physics_part::PhysicsPart;
 use plan_figures::{Chosen, PlanFigures};
 use scene::{Planning, SaidPhysics};
 use std::path::Path;
@@ -169,13 +169,14 @@ fn fixed(header: &SceneHeader, said: &SaidPhysics, shares: &Shares) -> Fixed {
     let fidelity = &header.fidelity;
     let has = |key: &str| said.keys.contains(key);
     let can_follow_road = shares.road.is_some() && fidelity.sides == Sides::Two;
-    let is_fixed = |part: &Part| match part {
-        Part::BetweenBodies => has("between_bodies"),
-        Part::Road => said.road || !can_follow_road,
-        Part::Edges => has("edges"),
-        Part::Sheets => has("transmission"),
+    let is_fixed = |part: &PhysicsPart| match part {
+        PhysicsPart::BetweenBodies => has("between_bodies"),
+        PhysicsPart::Road => said.road || !can_follow_road,
+        PhysicsPart::Edges => has("edges"),
+        PhysicsPart::Sheets => has("transmission"),
     };
-    let parts = Part::ALL.into_iter().filter(is_fixed).map(|part| (part, part.is_in(header))).collect();
+    let parts =
+        PhysicsPart::ALL.into_iter().filter(is_fixed).map(|part| (part, part.is_in(header))).collect();
     Fixed { bounces: has("bounces").then_some(fidelity.bounces), parts }
 }
 
@@ -184,7 +185,7 @@ fn apply(header: &mut SceneHeader, said: &SaidPhysics, choice: &Choice) {
     let has = |key: &str| said.keys.contains(key);
     header.fidelity.accuracy = Accuracy::from_db(artifact::units::db_from_amplitude(choice.numerical));
     header.fidelity.bounces = choice.bounces;
-    for part in Part::ALL {
+    for part in PhysicsPart::ALL {
         match choice.modelled.contains(&part) {
             true => part.model(header),
             false => part.leave_out(header),

@@ -280,12 +280,12 @@ mod tests {
         (power(&difference(&field, &looks.field(paths))) / power(&field)).sqrt()
     }
 
-    type Level = fn(&Choice<'_>, &[Complex64]) -> Option<LevelWithError>;
+    type MakeLevel = fn(&Choice<'_>, &[Complex64]) -> Option<LevelWithError>;
 
     #[test]
     fn merged_paths_and_centres_err_by_no_more_than_is_told_and_allowed() {
         let (radar, all) = (radar(), body(2000));
-        let levels: [(&str, Level); 2] =
+        let levels: [(&str, MakeLevel); 2] =
             [("merged", |of, field| of.merged(field)), ("centres", |of, field| of.centres(field))];
         for (name, level) in levels {
             let mut last = 0;

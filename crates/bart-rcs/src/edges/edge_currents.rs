@@ -60,27 +60,27 @@ struct Fringe<'a> {
 
 /// Length from the reference point and √π·K over the spread.
 #[derive(Clone, Copy)]
-struct Sample {
+struct FringeSample {
     length_m: f64,
     weights: [f64; 4],
 }
 
 impl Integrand for Fringe<'_> {
-    type Sample = Sample;
+    type Sample = FringeSample;
 
-    fn sample(&self, at_m: f64) -> Sample {
+    fn sample(&self, at_m: f64) -> FringeSample {
         let x_m = self.node.edge.point_m(at_m);
         let length_m = self.node.legs().map(|leg| length_difference_m(leg.image, x_m, self.reference_m));
         let spread: f64 =
             self.node.legs().map(|leg| spread(leg.image, x_m, self.reference_m)).iter().product();
-        Sample { length_m: length_m[0] + length_m[1], weights: self.kernel(x_m).map(|k| spread * k) }
+        FringeSample { length_m: length_m[0] + length_m[1], weights: self.kernel(x_m).map(|k| spread * k) }
     }
 
-    fn length_m(sample: &Sample) -> f64 {
+    fn length_m(sample: &FringeSample) -> f64 {
         sample.length_m
     }
 
-    fn weights(&self, sample: &Sample, _: f64) -> [Complex64; 4] {
+    fn weights(&self, sample: &FringeSample, _: f64) -> [Complex64; 4] {
         sample.weights.map(Complex64::from)
     }
 }

@@ -1,6 +1,6 @@
 //! A part of an edge with the legs that lead to it, and the parts of its integrals.
 
-use crate::edges::line_integral::{Integrand, Piece};
+use crate::edges::line_integral::{Integrand, LinePiece};
 use crate::geometry::antenna::Antenna;
 use crate::integral::node::Leg;
 use crate::joins::scatterer::{EdgeWaves, Way};
@@ -46,13 +46,13 @@ pub(crate) trait EdgePart {
     fn add_to(&self, wavenumbers_per_m: &[f64], sums: &mut [[Complex64; 4]]);
 }
 
-impl<I: Integrand> EdgePart for Piece<'_, I> {
+impl<I: Integrand> EdgePart for LinePiece<'_, I> {
     fn way(&self) -> Way {
         Way { length_m: self.length_m(), extent_m: self.extent_m() }
     }
 
     fn add_to(&self, wavenumbers_per_m: &[f64], sums: &mut [[Complex64; 4]]) {
-        Piece::add_to(self, wavenumbers_per_m, sums);
+        LinePiece::add_to(self, wavenumbers_per_m, sums);
     }
 }
 

@@ -230,7 +230,7 @@ mod tests {
                     accuracy,
                     bracket: Bracket::Symmetrised,
                 };
-                let of = |sum: Sum| sum(&scatterer, &joints, DVec3::ZERO, &integration);
+                let of = |sum: EdgeSum| sum(&scatterer, &joints, DVec3::ZERO, &integration);
                 let (fast, slow) = (of(sum_of_edges), of(sum_at_each));
                 let scale = length_m / std::f64::consts::PI.sqrt();
                 let error = relative_difference(&fast, &slow, scale);
@@ -246,7 +246,7 @@ mod tests {
         }
     }
 
-    type Sum = fn(&Scatterer<'_>, &[EdgeJoint], DVec3, &Integration<'_>) -> Vec<Amplitude>;
+    type EdgeSum = fn(&Scatterer<'_>, &[EdgeJoint], DVec3, &Integration<'_>) -> Vec<Amplitude>;
 
     #[test]
     fn waves_over_own_faces_alone_leave_edges_their_level() {

@@ -54,7 +54,7 @@ pub(crate) fn for_each_piece<I: Integrand>(
     span_m: [f64; 2],
     highest_per_m: f64,
     accuracy: f64,
-    give: &mut dyn FnMut(&Piece<'_, I>, f64),
+    give: &mut dyn FnMut(&LinePiece<'_, I>, f64),
 ) {
     let [from, to] = span_m;
     let ends = [from, 0.5 * (from + to), to].map(|at| integrand.sample(at));
@@ -67,7 +67,7 @@ pub(crate) fn for_each_piece<I: Integrand>(
         let half_m = 0.5 * (to - from);
         let centre = from + half_m;
         let quarters = [from + 0.5 * half_m, centre + 0.5 * half_m].map(|at| integrand.sample(at));
-        let piece = Piece::new(integrand, &samples, half_m);
+        let piece = LinePiece::new(integrand, &samples, half_m);
         let missed = piece.missed_by(&quarters, highest_per_m);
         let share = (2.0 * half_m / (span_m[1] - span_m[0])).max(SMALLEST_SHARE);
         if missed * 2.0 * half_m <= accuracy * share * (span_m[1] - span_m[0]) || halvings == HALVINGS_MAX {
@@ -81,7 +81,7 @@ pub(crate) fn for_each_piece<I: Integrand>(
 }
 
 /// A part of a line given by its start, middle and end, with the linear phase between the ends removed.
-pub(crate) struct Piece<'a, I: Integrand> {
+pub(crate) struct LinePiece<'a, I: Integrand> {
     integrand: &'a I,
     samples: &'a [I::Sample; 3],
     half_m: f64,
@@ -95,7 +95,7 @@ pub(crate) struct Piece<'a, I: Integrand> {
 /// Weights of the quadratic through three values, evaluated at the quarters.
 const AT_QUARTERS: [[f64; 3]; 2] = [[0.375, 0.75, -0.125], [-0.125, 0.75, 0.375]];
 
-impl<'a, I: Integrand> Piece<'a, I> {
+impl<'a, I: Integrand> LinePiece<'a, I> {
     fn new(integrand: &'a I, samples: &'a [I::Sample; 3], half_m: f64) -> Self {
         let [start_m, middle_length_m, end_m] = [0, 1, 2].map(|i| I::length_m(&samples[i]));
         let slope = (end_m - start_m) / (2.0 * half_m);
@@ -176,12 +176,12 @@ mod tests {
     use crate::integral::test_quadrature::gauss_legendre;
 
     /// Phase of a spherical wave from `distance_m` beside the line, with a curved weight.
-    struct Wave {
+    struct SphericalWave {
         distance_m: f64,
         foot_m: f64,
     }
 
-    impl Integrand for Wave {
+    impl Integrand for SphericalWave {
         type Sample = [f64; 2];
         fn sample(&self, at_m: f64) -> [f64; 2] {
             let length_m = self.distance_m.hypot(at_m - self.foot_m);
@@ -197,12 +197,12 @@ mod tests {
 
     const SPAN_M: [f64; 2] = [-0.2, 0.3];
 
-    fn exact(wave: &Wave, k: f64) -> [Complex64; 4] {
+    fn exact(wave: &SphericalWave, k: f64) -> [Complex64; 4] {
         let (nodes, weights) = gauss_legendre(600);
         let mut sum = [Complex64::ZERO; 4];
         for (node, w) in nodes.iter().zip(weights) {
             let at = wave.sample(0.5 * (SPAN_M[0] + SPAN_M[1]) + 0.25 * node);
-            let phase = Complex64::cis(-k * Wave::length_m(&at)) * 0.25 * w;
+            let phase = Complex64::cis(-k * SphericalWave::length_m(&at)) * 0.25 * w;
             let weight = wave.weights(&at, k);
             sum.iter_mut().zip(weight).for_each(|(sum, weight)| *sum += weight * phase);
         }
@@ -213,7 +213,7 @@ mod tests {
     fn the_error_stays_below_the_accuracy_asked_and_the_bound_printed_over_ten_decades() {
         let wavenumbers = [1.0, 400.0, 1613.8];
         for (distance_m, foot_m) in [(0.7, 0.0), (3.0, 10.0), (30.0, 0.1), (200.0, 200.0)] {
-            let wave = Wave { distance_m, foot_m };
+            let wave = SphericalWave { distance_m, foot_m };
             let known = wavenumbers.map(|k| exact(&wave, k));
             for decade in 1..=10 {
                 let asked = 10_f64.powi(-decade);

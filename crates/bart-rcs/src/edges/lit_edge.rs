@@ -22,7 +22,7 @@ pub(crate) struct LitEdge {
     /// Number of facets on the path, including the edge's own.
     pub(crate) order: u8,
     /// Patches of the preceding mirrors, nearest first.
-    mirrors: Mirrors,
+    mirrors: MirrorPatches,
     /// A beam that reaches the edge: its leg leads to the edge.
     pub(crate) beam: u32,
     /// Span along the edge, m.
@@ -31,7 +31,7 @@ pub(crate) struct LitEdge {
 
 /// Patches of a path's mirrors; [`NO_MIRROR`] after the last. Light from one mirror comes in pieces wherever
 /// a seam lies on it, and these count as one path.
-type Mirrors = [u32; MAX_ORDER];
+type MirrorPatches = [u32; MAX_ORDER];
 const NO_MIRROR: u32 = u32::MAX;
 
 /// A part of an edge lit from both ends.
@@ -143,7 +143,7 @@ fn without(span_m: [f64; 2], mut parts_m: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     left
 }
 
-fn mirrors_of(world: &World, tree: &BeamTree, beam: &Beam) -> Mirrors {
+fn mirrors_of(world: &World, tree: &BeamTree, beam: &Beam) -> MirrorPatches {
     let before = tree.way_back(beam).skip(1).map(|mirror| world.patch(mirror.facet));
     let mut mirrors = [NO_MIRROR; MAX_ORDER];
     mirrors.iter_mut().zip(before).for_each(|(place, patch)| *place = patch);

@@ -13,7 +13,7 @@
 
 use crate::edges::edge_node::{EdgePart, PER_ROOT_PI, amplitude_of};
 use crate::edges::edge_scattering::{EDGE_JOINTS_PER_RUN, WholeWay, over_band};
-use crate::edges::line_integral::{Integrand, Piece, for_each_piece};
+use crate::edges::line_integral::{Integrand, LinePiece, for_each_piece};
 use crate::edges::mirror_window::{FlatPatch, OutlineSide, Window};
 use crate::geometry::antenna::Antenna;
 use crate::integral::field::Field;
@@ -98,7 +98,7 @@ fn for_each_end_part(
 
 /// A part of a truncation's integral.
 struct EndPart<'a, 'b, 'c> {
-    piece: &'a Piece<'b, PatchEdge<'c>>,
+    piece: &'a LinePiece<'b, PatchEdge<'c>>,
     /// Phase rotation of its weight over the band, as a spread of lengths.
     turning_m: f64,
 }

@@ -112,7 +112,7 @@ impl ExpectedWork {
             of_order.iter().map(|beam| beams[*beam].section * sampled.stands_for[*beam]).collect();
         for (index, each) in sample(&sizes, SAMPLE) {
             let (beam, each) = (of_order[index], each * sampled.stands_for[of_order[index]]);
-            let polygon = Lit::new(scatterer, beam as u32, plan);
+            let polygon = SampledPolygon::new(scatterer, beam as u32, plan);
             let accuracy = first_accuracy(plan.asked());
             let tiles = polygon.tiles(accuracy);
             self.tiles[place] += each * tiles;
@@ -149,7 +149,7 @@ fn slide_wavelengths(sampled: &SampledTree, beam: usize, world: &World, plan: &P
 }
 
 /// A lit polygon that represents others.
-struct Lit<'a> {
+struct SampledPolygon<'a> {
     scatterer: &'a Scatterer<'a>,
     plan: &'a Plan<'a>,
     beam: u32,
@@ -163,7 +163,7 @@ struct Lit<'a> {
 /// Number of parts of a large polygon that are sampled.
 const PARTS: usize = 6;
 
-impl<'a> Lit<'a> {
+impl<'a> SampledPolygon<'a> {
     fn new(scatterer: &'a Scatterer<'a>, beam: u32, plan: &'a Plan<'a>) -> Self {
         let tree = scatterer.trees.transmit();
         let lit = &tree.beams[beam as usize];

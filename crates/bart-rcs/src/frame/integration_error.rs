@@ -61,26 +61,29 @@ pub(crate) fn integration_error(
 ) -> (IntegrationError, Vec<Vec<Complex64>>) {
     let asked = plan.asked();
     let count = plan.header.targets.len();
-    let look = Look { scatterer, plan, meetings, wavenumbers_per_m };
+    let checked = MeasuredMeetings { scatterer, plan, meetings, wavenumbers_per_m };
     let first = first_accuracy(asked);
-    let mut bodies: Vec<OfBody> = (0..count).map(|body| OfBody::at(&look, body, first)).collect();
+    let mut bodies: Vec<OfBody> = (0..count).map(|body| OfBody::at(&checked, body, first)).collect();
     for _ in 0..FINER_MOST {
-        let power = mean(&total(look.by_order(&bodies).into_iter(), wavenumbers_per_m.len()));
+        let power = mean(&total(checked.by_order(&bodies).into_iter(), wavenumbers_per_m.len()));
         let allowed = (INTEGRATION_SHARE * asked / MARGIN).powi(2) * power;
-        if look.error_power(&bodies) <= allowed {
+        if checked.error_power(&bodies) <= allowed {
             break;
         }
         let alone: Vec<f64> =
-            bodies.iter().map(|body| look.error_power(std::slice::from_ref(body))).collect();
+            bodies.iter().map(|body| checked.error_power(std::slice::from_ref(body))).collect();
         let least = alone.iter().copied().fold(0.0, f64::max).min(allowed / count as f64);
         for (index, body) in bodies.iter_mut().enumerate().filter(|(index, _)| alone[*index] >= least) {
-            *body = body.finer(&look, index);
+            *body = body.finer(&checked, index);
         }
     }
     let accuracy_of_body = bodies.iter().map(|body| body.accuracy).collect();
-    let error =
-        IntegrationError { accuracy_of_body, power: look.error_power(&bodies), bodies: look.echoes(&bodies) };
-    (error, look.by_order(&bodies))
+    let error = IntegrationError {
+        accuracy_of_body,
+        power: checked.error_power(&bodies),
+        bodies: checked.echoes(&bodies),
+    };
+    (error, checked.by_order(&bodies))
 }
 
 /// Accuracy of the integrals tried first for a requested accuracy.
@@ -117,14 +120,14 @@ pub(crate) fn of_meeting(
 }
 
 /// Meetings on which integrals are measured.
-struct Look<'a> {
+struct MeasuredMeetings<'a> {
     scatterer: &'a Scatterer<'a>,
     plan: &'a Plan<'a>,
     meetings: &'a [OrderJoints],
     wavenumbers_per_m: &'a [f64],
 }
 
-impl Look<'_> {
+impl MeasuredMeetings<'_> {
     /// S of the nodes on one body, by order and over frequency.
     fn of_body(&self, body: usize, accuracy: f64) -> Vec<Vec<Complex64>> {
         let bracket = bracket_of(self.plan.header.fidelity.nodes);
@@ -220,24 +223,24 @@ struct OfBody {
 }
 
 impl OfBody {
-    fn at(look: &Look<'_>, body: usize, accuracy: f64) -> Self {
-        Self::beside(look, (body, accuracy), || look.of_all_orders(body, accuracy / FINER))
+    fn at(checked: &MeasuredMeetings<'_>, body: usize, accuracy: f64) -> Self {
+        Self::beside(checked, (body, accuracy), || checked.of_all_orders(body, accuracy / FINER))
     }
 
     /// Finer integrals, with their error from the comparison with these.
-    fn finer(&self, look: &Look<'_>, body: usize) -> Self {
-        let count = look.wavenumbers_per_m.len();
-        Self::beside(look, (body, FINER * self.accuracy), || total(self.by_order.iter().cloned(), count))
+    fn finer(&self, checked: &MeasuredMeetings<'_>, body: usize) -> Self {
+        let count = checked.wavenumbers_per_m.len();
+        Self::beside(checked, (body, FINER * self.accuracy), || total(self.by_order.iter().cloned(), count))
     }
 
     fn beside(
-        look: &Look<'_>,
+        checked: &MeasuredMeetings<'_>,
         (body, accuracy): (usize, f64),
         coarser: impl FnOnce() -> Vec<Complex64>,
     ) -> Self {
-        let by_order = look.of_body(body, accuracy);
-        let own = total(by_order.iter().cloned(), look.wavenumbers_per_m.len());
-        let error = look.error((body, accuracy), &own, coarser);
+        let by_order = checked.of_body(body, accuracy);
+        let own = total(by_order.iter().cloned(), checked.wavenumbers_per_m.len());
+        let error = checked.error((body, accuracy), &own, coarser);
         Self { accuracy, by_order, error }
     }
 }

@@ -57,7 +57,7 @@ pub(crate) fn paths_as_fine(
 }
 
 /// Another moment of the frame, or another position on the array.
-pub(crate) struct Node<'a> {
+pub(crate) struct BlendNode<'a> {
     /// Sequences of bodies to trace; all of them if none are named.
     pub(crate) ways: Option<&'a BodyWays>,
     /// Time after the frame's first sample, s.
@@ -71,7 +71,7 @@ pub(crate) fn paths_along(
     scatterer: &Scatterer<'_>,
     plan: &Plan<'_>,
     fineness: &Fineness,
-    node: &Node<'_>,
+    node: &BlendNode<'_>,
 ) -> Result<Vec<Path>, BartError> {
     let cell_m = fineness.cell_m.min(largest_cell_of_world_m(plan, scatterer.world));
     let parts = BodyParts::along(scatterer, plan, node.ways);
@@ -164,7 +164,7 @@ impl<'a> BodyParts<'a> {
 
 /// Function that blends a table from several nodes, if that helps, while other tables of a number of bytes
 /// are held.
-pub(crate) type Split<'a> = dyn Fn(PathTable, u64) -> Result<PathTable, BartError> + 'a;
+pub(crate) type Blend<'a> = dyn Fn(PathTable, u64) -> Result<PathTable, BartError> + 'a;
 /// Function that makes a table with cells of a given size, while other tables of a number of bytes are held.
 type Attempt<'a> = dyn Fn(f64, u64) -> Result<PathTable, BartError> + 'a;
 
@@ -224,7 +224,7 @@ impl<'a> Fit<'a> {
     /// `split` blends their table from several moments. Large cells are blended at once if wheels rotate,
     /// which no cells follow, and if smaller ones would have more paths than all moments together, or too
     /// many to be blended.
-    pub(crate) fn table(&self, split: &Split<'_>) -> Result<PathTable, BartError> {
+    pub(crate) fn table(&self, split: &Blend<'_>) -> Result<PathTable, BartError> {
         let BodyParts { scatterer, plan, .. } = self.parts;
         let largest_m = largest_cell_of_world_m(plan, scatterer.world);
         let alone = |cell_m: f64, others: u64| self.table_of(cell_m, others);

@@ -172,7 +172,7 @@ impl Field<'_> {
         let Parted { near, far } = self.parted(corners_m, wavenumber_per_m);
         let of_near = |polygon: &Vec<DVec2>| (area_m2(polygon) / (size_m * size_m)).max(1.0);
         let of_far = |FarPart { corners_m, variation }: &FarPart| {
-            let of_side = |side: Side| {
+            let of_side = |side: PolygonSide| {
                 let [from, to] = self.slow_span_m(&side, variation);
                 ((to - from) / size_m).ceil()
             };
@@ -211,7 +211,7 @@ impl Field<'_> {
     /// ends on the side, to `give`.
     fn add_ends(
         &self,
-        side: &Side,
+        side: &PolygonSide,
         [from_m, to_m]: [f64; 2],
         corners: [usize; 2],
         of_corners: &mut [f64],
@@ -233,13 +233,13 @@ impl Field<'_> {
     }
 
     /// Term (g·ν)/(|g|²c) of a point of a side.
-    fn end_term(&self, side: &Side, at_m: f64) -> f64 {
+    fn end_term(&self, side: &PolygonSide, at_m: f64) -> f64 {
         let gradient = self.gradient_at(side.at(at_m));
         gradient.dot(side.outward()) / (gradient.length_squared() * gradient.dot(side.along))
     }
 
     /// Interval of a side where its slope is less than it has to be; empty where there is none.
-    fn slow_span_m(&self, side: &Side, variation: &Variation) -> [f64; 2] {
+    fn slow_span_m(&self, side: &PolygonSide, variation: &Variation) -> [f64; 2] {
         let least = variation.least_gradient(ALONG_SIDE);
         let slope = |at_m: f64| self.gradient_at(side.at(at_m)).dot(side.along);
         let [first, last] = [slope(0.0), slope(side.length_m)];
@@ -260,7 +260,7 @@ impl Field<'_> {
     /// Term of a piece of a side: over its parts the phase is linear, and so is what it is weighed with.
     fn piece(
         &self,
-        side: &Side,
+        side: &PolygonSide,
         [from_m, to_m]: [f64; 2],
         wavenumbers_per_m: &[f64],
         variation: &Variation,
@@ -339,13 +339,13 @@ fn distinct(corners_m: &[DVec2]) -> Vec<DVec2> {
 }
 
 /// A side of a polygon in its plane.
-struct Side {
+struct PolygonSide {
     start_m: DVec2,
     along: DVec2,
     length_m: f64,
 }
 
-impl Side {
+impl PolygonSide {
     fn at(&self, at_m: f64) -> DVec2 {
         self.start_m + at_m * self.along
     }
@@ -355,17 +355,17 @@ impl Side {
     }
 }
 
-fn sides(corners_m: &[DVec2]) -> impl Iterator<Item = Side> {
+fn sides(corners_m: &[DVec2]) -> impl Iterator<Item = PolygonSide> {
     let ends = corners_m.iter().copied().zip(corners_m.iter().copied().cycle().skip(1));
     let of = |(start_m, end_m): (DVec2, DVec2)| {
         let length_m = start_m.distance(end_m);
-        Side { start_m, along: (end_m - start_m) / length_m, length_m }
+        PolygonSide { start_m, along: (end_m - start_m) / length_m, length_m }
     };
     ends.map(of)
 }
 
 /// Place on a side where a function that grows along it is zero.
-fn root_m(side: &Side, of: impl Fn(f64) -> f64) -> f64 {
+fn root_m(side: &PolygonSide, of: impl Fn(f64) -> f64) -> f64 {
     const HALVINGS: u32 = 40;
     let [low, high] = halved([0.0, side.length_m], HALVINGS, |at_m| of(at_m) > 0.0);
     0.5 * (low + high)

@@ -194,7 +194,7 @@ mod tests {
 
     /// A rectangle in the plane x = 0 around the origin, and two antennas as [along its first side, along its
     /// second, ahead].
-    struct Case {
+    struct HardCase {
         name: &'static str,
         sides_m: [f64; 2],
         transmitter_m: DVec3,
@@ -209,12 +209,12 @@ mod tests {
         t: [f64; 3],
         r: [f64; 3],
         gauss_points: usize,
-    ) -> Case {
+    ) -> HardCase {
         let [transmitter_m, receiver_m] = [DVec3::new(t[2], t[0], t[1]), DVec3::new(r[2], r[0], r[1])];
-        Case { name, sides_m, transmitter_m, receiver_m, gauss_points }
+        HardCase { name, sides_m, transmitter_m, receiver_m, gauss_points }
     }
 
-    const HARD_CASES: [Case; 8] = [
+    const HARD_CASES: [HardCase; 8] = [
         case("broadside, 1 m away", [0.005, 0.005], [0.0, 0.001, 1.0], [0.0, 0.001, 1.0], 60),
         case("grazing, 1 m away", [0.005, 0.005], [0.9998, 0.0, 0.02], [0.9998, 0.0, 0.02], 80),
         case("sliver", [0.1, 1e-4], [15.0, 0.0, 20.0], [15.0, 0.0, 20.0], 200),
@@ -225,7 +225,7 @@ mod tests {
         case("bistatic", [0.005, 0.01], [1.0, 0.4, 1.5], [-0.2, -2.0, 1.0], 120),
     ];
 
-    impl Case {
+    impl HardCase {
         fn corners_m(&self) -> [DVec3; 4] {
             let [a, b] = self.sides_m.map(|s| 0.5 * s);
             [[-a, -b], [a, -b], [a, b], [-a, b]].map(|[y, z]| DVec3::new(0.0, y, z))

@@ -14,6 +14,7 @@
 //! road, whose mirror contains the reverse path.
 
 use crate::beams::beam::{Beam, BeamTree};
+use crate::beams::sight::shadow::LitSide;
 use crate::bodies::world::World;
 use crate::geometry::border::BorderLine;
 use crate::geometry::convex_intersection::{bounds, intersection};
@@ -235,14 +236,8 @@ struct Footprint {
     /// Counter-clockwise about the facet's own normal.
     corners_m: Vec<DVec2>,
     borders: Vec<BorderLine>,
-    side: Side,
+    side: LitSide,
     bounds_m: [DVec2; 2],
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Side {
-    Front,
-    Back,
 }
 
 impl Footprint {
@@ -250,9 +245,9 @@ impl Footprint {
         let beam: &Beam = &tree.beams[index as usize];
         let mut corners_m: Vec<DVec2> =
             tree.polygon(beam).iter().map(|c| frame.plane_from_world(*c)).collect();
-        let side = if frame.normal().dot(beam.lit_normal) > 0.0 { Side::Front } else { Side::Back };
+        let side = if frame.normal().dot(beam.lit_normal) > 0.0 { LitSide::Front } else { LitSide::Back };
         let mut borders = tree.borders(beam).to_vec();
-        if side == Side::Back {
+        if side == LitSide::Back {
             // The edge from corner i to the next becomes the one between their positions in the reversed
             // order.
             corners_m.reverse();
@@ -268,7 +263,7 @@ impl Footprint {
 
     /// Corners around the facet's normal, transformed into the world and ordered around the lit normal.
     fn in_world(&self, frame: &PlaneFrame, mut corners_m: Vec<DVec2>) -> impl Iterator<Item = DVec3> {
-        if self.side == Side::Back {
+        if self.side == LitSide::Back {
             corners_m.reverse();
         }
         let frame = *frame;
@@ -277,7 +272,7 @@ impl Footprint {
 
     /// Index of a side's first corner among `count` corners transformed by [`Self::in_world`].
     fn corner_in_world(&self, side: usize, count: usize) -> u32 {
-        if self.side == Side::Back { ((2 * count - 2 - side) % count) as u32 } else { side as u32 }
+        if self.side == LitSide::Back { ((2 * count - 2 - side) % count) as u32 } else { side as u32 }
     }
 
     fn meets(&self, other: &Self) -> bool {

@@ -42,7 +42,7 @@ struct SequenceNode {
     across_m2: f64,
 }
 
-type Nodes = [SequenceNode; MAX_ORDER];
+type SequenceNodes = [SequenceNode; MAX_ORDER];
 
 /// Sets the weights of all joints of one order, and consumes their outlines.
 pub(crate) fn weigh(world: &World, trees: Trees<'_>, order: u8, joints: &mut Joints) {
@@ -67,8 +67,8 @@ fn gathered(
     count: usize,
     joints: &Joints,
     placed: &[PlacedJoint],
-) -> HashMap<Sequence, Nodes> {
-    let mut nodes_of: HashMap<Sequence, Nodes> = HashMap::with_capacity(placed.len());
+) -> HashMap<Sequence, SequenceNodes> {
+    let mut nodes_of: HashMap<Sequence, SequenceNodes> = HashMap::with_capacity(placed.len());
     let mut sides = joints.shadow_sides.iter().peekable();
     for (index, ((joint, &PlacedJoint { sequence, node, across_m2 }), outline)) in
         (0..).zip(joints.list.iter().zip(placed).zip(&joints.outlines))

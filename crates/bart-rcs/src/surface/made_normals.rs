@@ -31,7 +31,7 @@ pub(crate) struct Facets<'a> {
 
 /// Turn from one facet to the next.
 #[derive(Debug, Clone, Copy)]
-struct Turn {
+struct FacetTurn {
     angle: f64,
     /// Kind of the turn; flat if below the effect of single-precision corners on a flat edge.
     kind: TurnKind,
@@ -123,19 +123,19 @@ fn other_sides(side: TriangleSide) -> [TriangleSide; 2] {
 }
 
 /// Turns by triangle and side.
-fn turns(facets: &Facets<'_>) -> Vec<[Turn; 3]> {
+fn turns(facets: &Facets<'_>) -> Vec<[FacetTurn; 3]> {
     let sides = |triangle: usize| sides_of(triangle as u32);
     let largest = facets.corners_m.iter().flatten().fold(0.0, |m, c| c.abs().max_element().max(m));
     let rounding_m = largest * f64::from(f32::EPSILON);
     let angle = |side: TriangleSide| {
         let Some((other, sign)) = facets.across(side) else {
-            return Turn { angle: 0.0, kind: TurnKind::Crease };
+            return FacetTurn { angle: 0.0, kind: TurnKind::Crease };
         };
         let angle = facets.normal(side).angle_between(sign * facets.normal(other));
         let noise = 4.0 * rounding_m / facets.width_m(side).min(facets.width_m(other));
-        Turn { angle, kind: if angle <= noise { TurnKind::Flat } else { TurnKind::Crease } }
+        FacetTurn { angle, kind: if angle <= noise { TurnKind::Flat } else { TurnKind::Crease } }
     };
-    let plain: Vec<[Turn; 3]> = (0..facets.normals.len()).map(|t| sides(t).map(angle)).collect();
+    let plain: Vec<[FacetTurn; 3]> = (0..facets.normals.len()).map(|t| sides(t).map(angle)).collect();
     let judged = |side: TriangleSide| {
         let turn = plain[side.triangle as usize][usize::from(side.side)];
         let Some((other, _)) = facets.across(side) else { return turn };
@@ -144,7 +144,7 @@ fn turns(facets: &Facets<'_>) -> Vec<[Turn; 3]> {
             && [side, other]
                 .iter()
                 .any(|s| goes_on(facets, &plain, *s).is_some_and(|on| on >= GOES_ON * turn.angle));
-        if smooth { Turn { kind: TurnKind::Smooth, ..turn } } else { turn }
+        if smooth { FacetTurn { kind: TurnKind::Smooth, ..turn } } else { turn }
     };
     (0..facets.normals.len()).map(|t| sides(t).map(judged)).collect()
 }
@@ -154,7 +154,7 @@ fn turns(facets: &Facets<'_>) -> Vec<[Turn; 3]> {
 ///
 /// A diagonal is crossed once: where it does not bend, and, since quads of a doubly curved skin are not flat,
 /// where it is the longest side of both its facets; there it may be the exit as well.
-fn goes_on(facets: &Facets<'_>, turns: &[[Turn; 3]], side: TriangleSide) -> Option<f64> {
+fn goes_on(facets: &Facets<'_>, turns: &[[FacetTurn; 3]], side: TriangleSide) -> Option<f64> {
     let (behind, sign) = facets.across(side)?;
     // Across the side the normal has turned along this direction.
     let way = -facets.outwards(side);
@@ -182,7 +182,7 @@ fn goes_on(facets: &Facets<'_>, turns: &[[Turn; 3]], side: TriangleSide) -> Opti
 }
 
 /// Extent, from a side, of a facet and its flat continuation beyond its other sides.
-fn patch_width_m(facets: &Facets<'_>, turns: &[[Turn; 3]], side: TriangleSide) -> f64 {
+fn patch_width_m(facets: &Facets<'_>, turns: &[[FacetTurn; 3]], side: TriangleSide) -> f64 {
     let (out, from) =
         (facets.outwards(side), facets.corners_m[side.triangle as usize][usize::from(side.side)]);
     let beyond = other_sides(side).into_iter().filter_map(|exit| {
@@ -194,7 +194,7 @@ fn patch_width_m(facets: &Facets<'_>, turns: &[[Turn; 3]], side: TriangleSide) -
 }
 
 /// Whether the facet of `side` is a flat with a round behind that side.
-fn is_flat_towards(facets: &Facets<'_>, turns: &[[Turn; 3]], side: TriangleSide) -> bool {
+fn is_flat_towards(facets: &Facets<'_>, turns: &[[FacetTurn; 3]], side: TriangleSide) -> bool {
     let turn = turns[side.triangle as usize][usize::from(side.side)];
     let Some((other, _)) = facets.across(side) else { return false };
     if turn.kind != TurnKind::Smooth {
@@ -207,7 +207,13 @@ fn is_flat_towards(facets: &Facets<'_>, turns: &[[Turn; 3]], side: TriangleSide)
 
 /// Mean normal of the facets around a place that no crease separates from this one; flats joined to a round
 /// take precedence.
-fn corner_normal(facets: &Facets<'_>, turns: &[[Turn; 3]], fans: &Fans, triangle: usize, k: usize) -> DVec3 {
+fn corner_normal(
+    facets: &Facets<'_>,
+    turns: &[[FacetTurn; 3]],
+    fans: &Fans,
+    triangle: usize,
+    k: usize,
+) -> DVec3 {
     let own = facets.normals[triangle];
     let Some(places) = facets.places[triangle] else { return own };
     let group = smooth_group(facets, turns, fans.around(places[k]), triangle as u32);
@@ -233,7 +239,7 @@ fn corner_normal(facets: &Facets<'_>, turns: &[[Turn; 3]], fans: &Fans, triangle
 /// sign that aligns their winding with that of `start`; ascending.
 fn smooth_group(
     facets: &Facets<'_>,
-    turns: &[[Turn; 3]],
+    turns: &[[FacetTurn; 3]],
     fan: &[(u32, u8)],
     start: u32,
 ) -> Vec<(u32, u8, f64)> {

@@ -122,7 +122,7 @@ mod tests {
             let joints = [1, 2].map(|order| scatterer.joints(order, NodeRule::Middle, 1e-7));
             for accuracy in [1e-1, 1e-3] {
                 for joints in &joints {
-                    let of = |accuracy, sum: Sum| {
+                    let of = |accuracy, sum: JointSum| {
                         let wavenumbers_per_m = &wavenumbers_per_m;
                         let integration =
                             Integration { wavenumbers_per_m, accuracy, bracket: Bracket::Symmetrised };
@@ -156,7 +156,7 @@ mod tests {
         size(&pairs.collect::<Vec<Amplitude>>())
     }
 
-    type Sum = fn(&Scatterer<'_>, &Joints, DVec3, &Integration<'_>) -> Vec<Amplitude>;
+    type JointSum = fn(&Scatterer<'_>, &Joints, DVec3, &Integration<'_>) -> Vec<Amplitude>;
 
     /// A corner of three tilted leaves, 1 m above the road, and a plate in front of it.
     fn corner_over_road() -> World {

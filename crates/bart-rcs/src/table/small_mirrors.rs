@@ -63,12 +63,12 @@ pub(crate) struct Hit {
     sample: usize,
     place: usize,
     share: f64,
-    on: Lit,
+    on: MirrorTarget,
 }
 
 /// Target of a mirror.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Lit {
+enum MirrorTarget {
     Facet,
     Edge,
 }
@@ -108,7 +108,7 @@ impl SmallMirrors {
     pub(crate) fn add(&mut self, hits: Vec<Hit>) {
         for Hit { sample, place, share, on } in hits {
             let sample = &mut self.samples[sample];
-            let shares = if on == Lit::Edge { &mut sample.edge_shares } else { &mut sample.shares };
+            let shares = if on == MirrorTarget::Edge { &mut sample.edge_shares } else { &mut sample.shares };
             shares[place] += share;
         }
     }
@@ -209,14 +209,14 @@ impl MirrorProbe<'_> {
         if joint.weight == 0.0 {
             return Vec::new();
         }
-        self.on_ways([joint.forward, joint.backward], Lit::Facet, |way, mirror| {
+        self.on_ways([joint.forward, joint.backward], MirrorTarget::Facet, |way, mirror| {
             self.share(joint, corners_m, way, mirror)
         })
     }
 
     /// Hits of a joint on an edge.
     fn edge_hits(&self, joint: &EdgeJoint) -> Vec<Hit> {
-        self.on_ways([joint.forward, joint.backward], Lit::Edge, |way, mirror| {
+        self.on_ways([joint.forward, joint.backward], MirrorTarget::Edge, |way, mirror| {
             self.edge_share(joint, way, mirror)
         })
     }
@@ -225,7 +225,7 @@ impl MirrorProbe<'_> {
     fn on_ways(
         &self,
         beams: [u32; 2],
-        on: Lit,
+        on: MirrorTarget,
         share: impl Fn((usize, u32), (usize, usize)) -> f64,
     ) -> Vec<Hit> {
         let mut hits: Vec<Hit> = Vec::new();

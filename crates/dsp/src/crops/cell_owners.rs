@@ -11,14 +11,14 @@ use radar::doppler_ambiguity::folded;
 /// Points of objects in and around a part of the map.
 pub(crate) struct CellOwners {
     /// Points ordered by column, those of one column in their original order.
-    peaks: Vec<Peak>,
+    peaks: Vec<LocatedPoint>,
     /// Number of rows, at which velocities wrap.
     rows: f64,
 }
 
 /// A located point of an object.
 #[derive(Clone, Copy)]
-struct Peak {
+struct LocatedPoint {
     row: f64,
     column: f64,
     /// Index among the points; the lowest wins among equally near ones.
@@ -36,16 +36,16 @@ impl CellOwners {
         let located = points.points.iter().enumerate().filter_map(|(number, point)| {
             let velocity_mps = point.radial_velocity_mps;
             let column = axes.column_of(point.range_m, velocity_mps);
-            Some(Peak { row: axes.row_at(velocity_mps), column, number, object: point.object? })
+            Some(LocatedPoint { row: axes.row_at(velocity_mps), column, number, object: point.object? })
         });
-        let is_near = |peak: &Peak| {
+        let is_near = |peak: &LocatedPoint| {
             folded(peak.row - middle, chirps).abs() <= half
                 && (columns[0] as f64..=columns[1] as f64).contains(&peak.column)
         };
         Self::of_peaks(located.filter(is_near).collect(), chirps)
     }
 
-    fn of_peaks(mut peaks: Vec<Peak>, rows: f64) -> Self {
+    fn of_peaks(mut peaks: Vec<LocatedPoint>, rows: f64) -> Self {
         peaks.sort_by(|a, b| a.column.total_cmp(&b.column));
         Self { peaks, rows }
     }
@@ -65,16 +65,16 @@ impl CellOwners {
     fn nearer<'p>(
         &self,
         [row, column]: [f64; 2],
-        mut best: Option<(f64, &'p Peak)>,
-        outwards: impl Iterator<Item = &'p Peak>,
-    ) -> Option<(f64, &'p Peak)> {
+        mut best: Option<(f64, &'p LocatedPoint)>,
+        outwards: impl Iterator<Item = &'p LocatedPoint>,
+    ) -> Option<(f64, &'p LocatedPoint)> {
         for peak in outwards {
             let along = (peak.column - column).powi(2);
             if best.is_some_and(|(least, _)| along > least) {
                 break;
             }
             let distance = folded(peak.row - row, self.rows).powi(2) + along;
-            let is_nearer = |(least, first): (f64, &Peak)| {
+            let is_nearer = |(least, first): (f64, &LocatedPoint)| {
                 distance.total_cmp(&least).then(peak.number.cmp(&first.number)).is_lt()
             };
             if best.is_none_or(is_nearer) {
@@ -98,18 +98,19 @@ mod tests {
             (state >> 33) % below
         };
         for count in [0, 1, 2, 7, 60] {
-            let points: Vec<Peak> = (0..count)
+            let points: Vec<LocatedPoint> = (0..count)
                 .map(|number| {
                     let half = |n: u64| 0.5 * n as f64;
                     let [row, column] = [half(draw(64)), half(draw(40))];
-                    Peak { row, column, number, object: draw(5) as u32 }
+                    LocatedPoint { row, column, number, object: draw(5) as u32 }
                 })
                 .collect();
             let owners = CellOwners::of_peaks(points.clone(), 32.0);
             let cells = (-3..35).flat_map(|row| (-2..22).map(move |column| [row, column]));
             for [row, column] in cells {
-                let distance =
-                    |p: &Peak| folded(p.row - row as f64, 32.0).powi(2) + (p.column - column as f64).powi(2);
+                let distance = |p: &LocatedPoint| {
+                    folded(p.row - row as f64, 32.0).powi(2) + (p.column - column as f64).powi(2)
+                };
                 let slow = points.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
                 assert_eq!(owners.of([row, column]), slow.map(|p| p.object), "{count}: {row}, {column}");
             }

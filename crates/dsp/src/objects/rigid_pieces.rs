@@ -48,9 +48,9 @@ pub(crate) fn drive_as_one(
     if first[0].place_m.distance(first[1].place_m) > LONGEST_M {
         return false;
     }
-    let echo = |i: &usize| Echo::of(&members[*i], first[0].radial_velocity_mps, velocity_span_mps);
-    let [a, b] = groups.map(|group| group.iter().map(echo).collect::<Vec<Echo>>());
-    let all: Vec<Echo> = a.iter().chain(&b).copied().collect();
+    let echo = |i: &usize| PlacedEcho::of(&members[*i], first[0].radial_velocity_mps, velocity_span_mps);
+    let [a, b] = groups.map(|group| group.iter().map(echo).collect::<Vec<PlacedEcho>>());
+    let all: Vec<PlacedEcho> = a.iter().chain(&b).copied().collect();
     let fit = VelocityFit::of(&all);
     let speed_mps = fit.velocity_mps.length();
     let is_a_vehicles = (SPEEDS_MPS[0]..=SPEEDS_MPS[1]).contains(&speed_mps);
@@ -74,14 +74,14 @@ pub(crate) fn drive_as_one(
 
 /// Contribution of a point to its body's motion.
 #[derive(Debug, Clone, Copy)]
-struct Echo {
+struct PlacedEcho {
     place_m: DVec2,
     /// Unit vector from the radar.
     sight: DVec2,
     velocity_mps: f64,
 }
 
-impl Echo {
+impl PlacedEcho {
     fn of(member: &Member, near_mps: f64, velocity_span_mps: f64) -> Self {
         let velocity_mps = near_mps + wrapped_mps(member.radial_velocity_mps - near_mps, velocity_span_mps);
         Self { place_m: member.place_m, sight: member.place_m.normalize_or_zero(), velocity_mps }
@@ -98,7 +98,7 @@ struct VelocityFit {
 impl VelocityFit {
     /// Fits the velocity. Points in one direction leave the component across it undetermined: its variance
     /// then exceeds any limit.
-    fn of(echoes: &[Echo]) -> Self {
+    fn of(echoes: &[PlacedEcho]) -> Self {
         let (mut normal, mut moment) = (DMat2::from_diagonal(DVec2::splat(1e-9)), DVec2::ZERO);
         for echo in echoes {
             normal += DMat2::from_cols(echo.sight * echo.sight.x, echo.sight * echo.sight.y);
@@ -108,19 +108,19 @@ impl VelocityFit {
         Self { velocity_mps: covariance * moment, covariance }
     }
 
-    fn misfit_mps(&self, echoes: &[Echo]) -> f64 {
-        let square = |echo: &Echo| (echo.velocity_mps - self.velocity_mps.dot(echo.sight)).powi(2);
+    fn misfit_mps(&self, echoes: &[PlacedEcho]) -> f64 {
+        let square = |echo: &PlacedEcho| (echo.velocity_mps - self.velocity_mps.dot(echo.sight)).powi(2);
         (echoes.iter().map(square).sum::<f64>() / echoes.len() as f64).sqrt()
     }
 
     /// Whether the velocity across the line of sight is significant relative to its error.
-    fn is_known_to_cross(&self, echoes: &[Echo]) -> bool {
+    fn is_known_to_cross(&self, echoes: &[PlacedEcho]) -> bool {
         let across = mean_sight(echoes).perp();
         let error_mps = VELOCITY_ERROR_MPS * across.dot(self.covariance * across).sqrt();
         self.velocity_mps.dot(across).abs() >= FORETOLD.0 * error_mps
     }
 
-    fn foretells(&self, echo: &Echo) -> bool {
+    fn foretells(&self, echo: &PlacedEcho) -> bool {
         let error_mps = VELOCITY_ERROR_MPS * (1.0 + echo.sight.dot(self.covariance * echo.sight)).sqrt();
         let off_mps = (echo.velocity_mps - self.velocity_mps.dot(echo.sight)).abs();
         error_mps <= FORETOLD.1 && off_mps <= FORETOLD.0 * error_mps
@@ -128,8 +128,8 @@ impl VelocityFit {
 }
 
 /// Whether the part with the better known motion predicts the velocities of the other.
-fn foretells(a: &[Echo], b: &[Echo]) -> bool {
-    let known = |part: &[Echo]| (part.len() > 1).then(|| VelocityFit::of(part));
+fn foretells(a: &[PlacedEcho], b: &[PlacedEcho]) -> bool {
+    let known = |part: &[PlacedEcho]| (part.len() > 1).then(|| VelocityFit::of(part));
     let trace = |fit: &VelocityFit| fit.covariance.x_axis.x + fit.covariance.y_axis.y;
     match (known(a), known(b)) {
         (Some(of_a), Some(of_b)) if trace(&of_b) < trace(&of_a) => a.iter().all(|echo| of_b.foretells(echo)),
@@ -140,21 +140,21 @@ fn foretells(a: &[Echo], b: &[Echo]) -> bool {
 }
 
 /// Whether a body moves more across the line of sight than along it.
-fn drives_across(echoes: &[Echo], velocity_mps: DVec2) -> bool {
+fn drives_across(echoes: &[PlacedEcho], velocity_mps: DVec2) -> bool {
     let sight = mean_sight(echoes);
     velocity_mps.perp_dot(sight).abs() >= velocity_mps.dot(sight).abs()
 }
 
-fn mean_sight(echoes: &[Echo]) -> DVec2 {
+fn mean_sight(echoes: &[PlacedEcho]) -> DVec2 {
     echoes.iter().map(|echo| echo.place_m).sum::<DVec2>().normalize_or_zero()
 }
 
-fn nearest_m(a: &[Echo], b: &[Echo]) -> f64 {
+fn nearest_m(a: &[PlacedEcho], b: &[PlacedEcho]) -> f64 {
     let apart = a.iter().flat_map(|one| b.iter().map(move |other| one.place_m.distance(other.place_m)));
     apart.fold(f64::INFINITY, f64::min)
 }
 
-fn extent(echoes: &[Echo], coordinate_m: impl Fn(DVec2) -> f64) -> [f64; 2] {
+fn extent(echoes: &[PlacedEcho], coordinate_m: impl Fn(DVec2) -> f64) -> [f64; 2] {
     let places = echoes.iter().map(|echo| coordinate_m(echo.place_m));
     places.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
 }

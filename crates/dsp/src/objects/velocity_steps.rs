@@ -55,10 +55,10 @@ pub(crate) fn steps_between(members: &[Member], axis: DopplerAxis, groups: [&[us
 
 /// Echoes of a group in order of range.
 struct Chain {
-    echoes: Vec<Echo>,
+    echoes: Vec<RangedEcho>,
 }
 
-struct Echo {
+struct RangedEcho {
     range_m: f64,
     /// Radial velocity relative to that of a strongest echo.
     velocity_mps: f64,
@@ -70,11 +70,11 @@ impl Chain {
     }
 
     fn about(members: &[Member], axis: DopplerAxis, group: &[usize], near_mps: f64) -> Self {
-        let echo = |i: &usize| Echo {
+        let echo = |i: &usize| RangedEcho {
             range_m: members[*i].range_m,
             velocity_mps: wrapped_mps(members[*i].radial_velocity_mps - near_mps, axis.span_mps),
         };
-        let mut echoes: Vec<Echo> = group.iter().map(echo).collect();
+        let mut echoes: Vec<RangedEcho> = group.iter().map(echo).collect();
         echoes.sort_by(|a, b| a.range_m.total_cmp(&b.range_m));
         Self { echoes }
     }
@@ -88,14 +88,14 @@ impl Chain {
     }
 
     /// Echoes in the stretch that ends before the echo `end`.
-    fn before(&self, end: usize) -> &[Echo] {
+    fn before(&self, end: usize) -> &[RangedEcho] {
         let from_m = self.echoes[end - 1].range_m - STRETCH_M;
         let begin = self.echoes[..end].partition_point(|echo| echo.range_m < from_m);
         &self.echoes[begin..end]
     }
 
     /// Echoes in the stretch that begins with the echo `begin`.
-    fn from(&self, begin: usize) -> &[Echo] {
+    fn from(&self, begin: usize) -> &[RangedEcho] {
         let to_m = self.echoes[begin].range_m + STRETCH_M;
         let echoes = &self.echoes[begin..];
         &echoes[..echoes.partition_point(|echo| echo.range_m <= to_m)]
@@ -103,16 +103,16 @@ impl Chain {
 }
 
 /// Difference of two sides' medians relative to the smallest step; 0 if a side has too few echoes.
-fn step(near: &[Echo], far: &[Echo], axis: DopplerAxis) -> f64 {
+fn step(near: &[RangedEcho], far: &[RangedEcho], axis: DopplerAxis) -> f64 {
     if near.len().min(far.len()) < FEWEST {
         return 0.0;
     }
-    let of_one = |side: &[Echo]| 1.0 / side.len() as f64;
+    let of_one = |side: &[RangedEcho]| 1.0 / side.len() as f64;
     let error_mps = VELOCITY_ERROR_MPS * (of_one(near) + of_one(far)).sqrt();
     (median_mps(near) - median_mps(far)).abs() / axis.cell_mps.max(ERRORS * error_mps)
 }
 
-fn median_mps(echoes: &[Echo]) -> f64 {
+fn median_mps(echoes: &[RangedEcho]) -> f64 {
     let mut velocities: Vec<f64> = echoes.iter().map(|echo| echo.velocity_mps).collect();
     velocities.sort_by(f64::total_cmp);
     let middle = velocities.len() / 2;

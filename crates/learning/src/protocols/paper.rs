@@ -1,6 +1,6 @@
 //! The paper's network by the paper's protocol, and by two that keep all copies of a map in one split.
 
-use crate::protocols::settings::Settings;
+use crate::protocols::settings::ProtocolSettings;
 use crate::training::{PAPER_ITERATIONS, network};
 use artifact::settings::Class;
 use pipeline::host::dataset_folders::DatasetFolder;
@@ -28,7 +28,7 @@ const PAPER: [&str; 8] =
 const POINTS: usize = 8;
 
 /// Trains each protocol with every seed and tabulates the results.
-pub(super) fn page(settings: &Settings, datasets: &[DatasetFolder]) -> Result<String, Failure> {
+pub(super) fn page(settings: &ProtocolSettings, datasets: &[DatasetFolder]) -> Result<String, Failure> {
     if !settings.test.is_empty() || settings.curves {
         return Err(Failure::refused(
             "--test and --curves are asked of trees; the paper's protocols have neither",

@@ -4,7 +4,7 @@ use crate::training::Learner;
 use std::path::PathBuf;
 
 /// Settings of protocols.
-pub struct Settings<'a> {
+pub struct ProtocolSettings<'a> {
     /// Folders of datasets for training; their vehicles are held out in turn.
     pub datasets: Vec<PathBuf>,
     /// Folders of datasets for testing only.

@@ -1,7 +1,7 @@
 //! The program that trains the paper's network, `classifier-training`: it depends on a learning library that
 //! takes most of a first build, so it is built on demand, and runs as a separate process.
 
-use crate::training::settings::{PAPER_ITERATIONS, Settings};
+use crate::training::settings::{PAPER_ITERATIONS, TrainingSettings};
 use pipeline::host::failure::Failure;
 use pipeline::host::places;
 use pipeline::host::progress::Work;
@@ -14,7 +14,7 @@ use std::process::{Child, Command, Stdio};
 pub const PROGRAM: &str = "classifier-training";
 
 /// Trains the network by the program with the learning library.
-pub(super) fn train(settings: &Settings, shards: &[PathBuf]) -> Result<(), Failure> {
+pub(super) fn train(settings: &TrainingSettings, shards: &[PathBuf]) -> Result<(), Failure> {
     let mut command = Command::new(built()?);
     command.arg("--out").arg(&settings.out);
     let iterations = settings.iterations.unwrap_or(PAPER_ITERATIONS);

@@ -15,7 +15,7 @@ pub enum Learner {
 }
 
 /// Settings of a training.
-pub struct Settings<'a> {
+pub struct TrainingSettings<'a> {
     /// Folders of datasets.
     pub datasets: Vec<PathBuf>,
     /// Folder of the model.

@@ -2,7 +2,7 @@
 
 use crate::training::interval_text::told_interval;
 use crate::training::lone_vehicles::note_lone_vehicles;
-use crate::training::settings::Settings;
+use crate::training::settings::TrainingSettings;
 use artifact::model::Model;
 use artifact::{Provenance, Writer, bounded};
 use classifier::{
@@ -20,7 +20,7 @@ use std::path::PathBuf;
 const ATTRIBUTIONS_LIMIT_BYTES: u64 = 1 << 20;
 
 /// Reads all shards, trains, writes the folder and reports the metrics.
-pub(super) fn train(settings: &Settings, datasets: &[Vec<PathBuf>]) -> Result<(), Failure> {
+pub(super) fn train(settings: &TrainingSettings, datasets: &[Vec<PathBuf>]) -> Result<(), Failure> {
     let attributions = attributions(settings)?;
     let (sightings, inputs) = loading::read_of(&datasets.concat(), || sightings(datasets))?;
     let of_trees = TreeSettings::default();
@@ -46,7 +46,7 @@ fn sightings(datasets: &[Vec<PathBuf>]) -> Result<Sightings, Failure> {
     Ok(sightings)
 }
 
-fn attributions(settings: &Settings) -> Result<Vec<String>, Failure> {
+fn attributions(settings: &TrainingSettings) -> Result<Vec<String>, Failure> {
     let Some(file) = &settings.attributions else { return Ok(vec![]) };
     let text =
         bounded::read_text(file, ATTRIBUTIONS_LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
@@ -54,7 +54,7 @@ fn attributions(settings: &Settings) -> Result<Vec<String>, Failure> {
 }
 
 fn provenance(
-    settings: &Settings,
+    settings: &TrainingSettings,
     inputs: Vec<(String, String)>,
     of_trees: &TreeSettings,
 ) -> Result<Provenance, Failure> {
@@ -68,7 +68,7 @@ fn provenance(
 }
 
 /// Writes the folder; the weights come last, so that they mark a complete one.
-fn save(settings: &Settings, trained: &TrainedTrees, provenance: &Provenance) -> Result<(), Failure> {
+fn save(settings: &TrainingSettings, trained: &TrainedTrees, provenance: &Provenance) -> Result<(), Failure> {
     let mut metrics = serde_json::to_vec_pretty(&trained.metrics).map_err(Failure::refused)?;
     metrics.push(b'\n');
     files::write_file(&settings.out.join(METRICS_FILE), &metrics)?;

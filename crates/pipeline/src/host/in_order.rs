@@ -33,7 +33,7 @@ pub fn in_order<T: Send>(
     mut take: impl FnMut(T) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
     let (jobs, held) = (needed.len(), at_once.held.max(1));
-    let queue = Queue { needed, held, state: Mutex::new(State::of(jobs)), changed: Condvar::new() };
+    let queue = Queue { needed, held, state: Mutex::new(JobStates::of(jobs)), changed: Condvar::new() };
     let caller = Caller::here();
     let worker = || {
         while let Some(job) = queue.begin() {
@@ -57,11 +57,11 @@ struct Queue<'a, T> {
     /// Jobs that each job needs.
     needed: &'a [Vec<usize>],
     held: usize,
-    state: Mutex<State<T>>,
+    state: Mutex<JobStates<T>>,
     changed: Condvar,
 }
 
-struct State<T> {
+struct JobStates<T> {
     /// Number of jobs that may begin.
     jobs: usize,
     /// Number of jobs that have begun, in order.
@@ -72,7 +72,7 @@ struct State<T> {
     done: BTreeMap<usize, Option<Joined<Result<T, Failure>>>>,
 }
 
-impl<T> State<T> {
+impl<T> JobStates<T> {
     fn of(jobs: usize) -> Self {
         Self { jobs, begun: 0, taken: 0, done: BTreeMap::new() }
     }
@@ -129,11 +129,11 @@ impl<T> Queue<'_, T> {
         self.changed.notify_all();
     }
 
-    fn lock(&self) -> MutexGuard<'_, State<T>> {
+    fn lock(&self) -> MutexGuard<'_, JobStates<T>> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn wait<'a>(&self, state: MutexGuard<'a, State<T>>) -> MutexGuard<'a, State<T>> {
+    fn wait<'a>(&self, state: MutexGuard<'a, JobStates<T>>) -> MutexGuard<'a, JobStates<T>> {
         self.changed.wait(state).unwrap_or_else(PoisonError::into_inner)
     }
 }

@@ -1,7 +1,7 @@
 //! Choices of the modelled physics, made from the share of each part of the echo.
 
 use crate::planning::echo_shares::Shares;
-use crate::planning::physics_part::Part;
+use crate::planning::physics_part::PhysicsPart;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Physics that the scene itself specifies and that is not chosen.
@@ -10,7 +10,7 @@ pub(crate) struct Fixed {
     /// Highest order of reflection.
     pub(crate) bounces: Option<u8>,
     /// Parts, and whether they are modelled.
-    pub(crate) parts: BTreeMap<Part, bool>,
+    pub(crate) parts: BTreeMap<PhysicsPart, bool>,
 }
 
 /// Relative amplitude error that a plan may spend.
@@ -57,7 +57,7 @@ pub(crate) struct Choice {
     /// Highest order of reflection.
     pub(crate) bounces: u8,
     /// Parts that are modelled.
-    pub(crate) modelled: BTreeSet<Part>,
+    pub(crate) modelled: BTreeSet<PhysicsPart>,
     /// Relative amplitude of all that is omitted by choice.
     pub(crate) left_out: f64,
     /// Relative amplitude error allowed to integrals, cells and the echo.
@@ -132,30 +132,30 @@ fn numerical_power(left_out: f64) -> f64 {
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 struct Physics {
     bounces: u8,
-    modelled: BTreeSet<Part>,
+    modelled: BTreeSet<PhysicsPart>,
 }
 
 impl Physics {
     /// All physics except that which the scene itself omits.
     fn whole(fixed: &Fixed) -> Self {
-        let is_in = |part: &Part| fixed.parts.get(part).copied().unwrap_or(true);
+        let is_in = |part: &PhysicsPart| fixed.parts.get(part).copied().unwrap_or(true);
         Self {
             bounces: fixed.bounces.unwrap_or(MOST_BOUNCES),
-            modelled: Part::ALL.into_iter().filter(is_in).collect(),
+            modelled: PhysicsPart::ALL.into_iter().filter(is_in).collect(),
         }
     }
 
     /// Omits one more part or order, in every possible way.
     fn one_less(&self, fixed: &Fixed) -> Vec<Self> {
-        let open = |part: &Part| self.modelled.contains(part) && !fixed.parts.contains_key(part);
-        let without = |part: Part| {
+        let open = |part: &PhysicsPart| self.modelled.contains(part) && !fixed.parts.contains_key(part);
+        let without = |part: PhysicsPart| {
             let mut modelled = self.modelled.clone();
             modelled.remove(&part);
             Self { modelled, ..*self }
         };
         let fewer = (fixed.bounces.is_none() && self.bounces > 1)
             .then(|| Self { bounces: self.bounces - 1, modelled: self.modelled.clone() });
-        fewer.into_iter().chain(Part::ALL.into_iter().filter(open).map(without)).collect()
+        fewer.into_iter().chain(PhysicsPart::ALL.into_iter().filter(open).map(without)).collect()
     }
 
     /// This physics and all that omit more, in the order of orders and parts.
@@ -169,18 +169,18 @@ impl Physics {
     }
 
     fn left_out_power(&self, shares: &Shares) -> f64 {
-        let is_out = |part: Part| !self.modelled.contains(&part);
-        let sheets = if is_out(Part::Sheets) { shares.sheets.powi(2) } else { 0.0 };
+        let is_out = |part: PhysicsPart| !self.modelled.contains(&part);
+        let sheets = if is_out(PhysicsPart::Sheets) { shares.sheets.powi(2) } else { 0.0 };
         let orders = (1..).zip(shares.within.iter().zip(&shares.between));
         let of_order = |(order, (within, between)): (u8, (&f64, &f64))| {
             let is_beyond = order > self.bounces;
             let of_part =
-                |part: Part, share: f64| if is_beyond || is_out(part) { share.powi(2) } else { 0.0 };
+                |part: PhysicsPart, share: f64| if is_beyond || is_out(part) { share.powi(2) } else { 0.0 };
             let within = if is_beyond { within.powi(2) } else { 0.0 };
             within
-                + of_part(Part::BetweenBodies, *between)
-                + of_part(Part::Road, shares.by_road(order))
-                + of_part(Part::Edges, shares.by_edges(order))
+                + of_part(PhysicsPart::BetweenBodies, *between)
+                + of_part(PhysicsPart::Road, shares.by_road(order))
+                + of_part(PhysicsPart::Edges, shares.by_edges(order))
         };
         orders.map(of_order).sum::<f64>()
             + if self.bounces < MOST_BOUNCES { beyond(shares) } else { 0.0 }
@@ -231,7 +231,7 @@ mod tests {
     fn choices_leave_out_all_that_the_budget_spares_and_the_rest_is_the_integrals() {
         let all = all(0.1, &shares(), &Fixed::default());
         let [least] = &all[..] else { panic!("{all:?}") };
-        assert_eq!((least.bounces, &least.modelled), (2, &BTreeSet::from([Part::Road])));
+        assert_eq!((least.bounces, &least.modelled), (2, &BTreeSet::from([PhysicsPart::Road])));
         let left =
             [0.03, 0.003, 0.02, 0.002, 0.0002, 0.01].map(|share: f64| share.powi(2)).iter().sum::<f64>();
         assert!((least.left_out.powi(2) / left - 1.0).abs() < 1e-2, "{}", least.left_out);
@@ -270,7 +270,7 @@ mod tests {
         let modelled: Vec<(u8, bool)> = all(0.1, &either, &Fixed::default())
             .iter()
             .filter(|choice| choice.left_out > 0.0)
-            .map(|choice| (choice.bounces, choice.modelled.contains(&Part::Road)))
+            .map(|choice| (choice.bounces, choice.modelled.contains(&PhysicsPart::Road)))
             .collect();
         assert_eq!(modelled, [(2, true), (3, false)]);
     }
@@ -288,10 +288,10 @@ mod tests {
 
     #[test]
     fn what_the_scene_says_is_neither_left_out_nor_counted_as_a_choice() {
-        let parts = BTreeMap::from([(Part::Road, false), (Part::Edges, true)]);
+        let parts = BTreeMap::from([(PhysicsPart::Road, false), (PhysicsPart::Edges, true)]);
         let fixed = Fixed { bounces: Some(4), parts };
         let choice = all(0.1, &shares(), &fixed).pop().unwrap();
-        assert_eq!((choice.bounces, choice.modelled), (4, BTreeSet::from([Part::Edges])));
+        assert_eq!((choice.bounces, choice.modelled), (4, BTreeSet::from([PhysicsPart::Edges])));
         assert!((choice.left_out - 0.02_f64.hypot(0.002).hypot(0.0002)).abs() < 1e-9);
     }
 
@@ -299,7 +299,10 @@ mod tests {
     fn edges_of_an_order_that_cannot_be_spared_are_modelled_with_the_road_up_to_it() {
         let both = Shares { edges: vec![0.01, 0.0, 0.15, 0.0], ..shares() };
         let least = all(0.1, &both, &Fixed::default()).pop().unwrap();
-        assert_eq!((least.bounces, least.modelled), (3, BTreeSet::from([Part::Road, Part::Edges])));
+        assert_eq!(
+            (least.bounces, least.modelled),
+            (3, BTreeSet::from([PhysicsPart::Road, PhysicsPart::Edges]))
+        );
     }
 
     #[test]

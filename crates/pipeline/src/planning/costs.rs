@@ -6,7 +6,7 @@ use crate::chain::plan::FramePlan;
 use crate::host::failure::Failure;
 use crate::host::memory::Allowance;
 use crate::planning::choice::Fixed;
-use crate::planning::physics_part::Part;
+use crate::planning::physics_part::PhysicsPart;
 use artifact::scene::SceneHeader;
 use bart_rcs::Tracer;
 use std::collections::BTreeMap;
@@ -26,7 +26,7 @@ pub(crate) struct Seconds {
     /// Scene as planned.
     pub(crate) planned: f64,
     /// Seconds of the plan with one more or one fewer part.
-    pub(crate) with_one_changed: BTreeMap<Part, f64>,
+    pub(crate) with_one_changed: BTreeMap<PhysicsPart, f64>,
     /// Seconds of the plan with one more order of reflection.
     pub(crate) with_one_bounce_more: Option<f64>,
 }
@@ -42,7 +42,7 @@ pub(crate) fn seconds(
     let planned_s = planned_s.map_or_else(|| expected_s(planned), Ok)?;
     let mut seconds = Seconds { as_said: expected_s(before)?, planned: planned_s, ..Seconds::default() };
     let Some(fixed) = open else { return Ok(seconds) };
-    for part in Part::ALL.into_iter().filter(|part| !fixed.parts.contains_key(part)) {
+    for part in PhysicsPart::ALL.into_iter().filter(|part| !fixed.parts.contains_key(part)) {
         if let Some(changed) = changed(planned, part) {
             seconds.with_one_changed.insert(part, expected_s(&changed)?);
         }
@@ -56,8 +56,8 @@ pub(crate) fn seconds(
 }
 
 /// The scene with one part switched on or off; `None` if that requires another mesh.
-fn changed(planned: &SceneHeader, part: Part) -> Option<SceneHeader> {
-    if part == Part::Sheets {
+fn changed(planned: &SceneHeader, part: PhysicsPart) -> Option<SceneHeader> {
+    if part == PhysicsPart::Sheets {
         return None;
     }
     let mut header = planned.clone();

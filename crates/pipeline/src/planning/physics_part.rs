@@ -6,7 +6,7 @@ use artifact::settings::{BetweenBodies, Edges};
 
 /// Part of the physics that is modelled or left out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Part {
+pub(crate) enum PhysicsPart {
     /// Paths over several bodies.
     BetweenBodies,
     /// Paths by the road.
@@ -17,7 +17,7 @@ pub(crate) enum Part {
     Sheets,
 }
 
-impl Part {
+impl PhysicsPart {
     /// All parts.
     pub(crate) const ALL: [Self; 4] = [Self::BetweenBodies, Self::Road, Self::Edges, Self::Sheets];
 

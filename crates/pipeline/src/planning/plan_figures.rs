@@ -3,7 +3,7 @@
 use crate::planning::choice::{Budget, Choice, Fixed, Limit};
 use crate::planning::costs::Seconds;
 use crate::planning::echo_shares::{Shares, together};
-use crate::planning::physics_part::Part;
+use crate::planning::physics_part::PhysicsPart;
 use artifact::Accuracy;
 use artifact::scene::SceneHeader;
 use artifact::settings::NodeRule;
@@ -77,7 +77,7 @@ impl Chosen {
             measured_every: planned.fidelity.measured_every,
             processor_s: seconds.planned,
             as_said_processor_s: seconds.as_said,
-            parts: self.orders().chain(Part::ALL.into_iter().map(|part| self.part(part))).collect(),
+            parts: self.orders().chain(PhysicsPart::ALL.into_iter().map(|part| self.part(part))).collect(),
         }
     }
 
@@ -98,7 +98,7 @@ impl Chosen {
         })
     }
 
-    fn part(&self, part: Part) -> PartFigures {
+    fn part(&self, part: PhysicsPart) -> PartFigures {
         let Self { choice, seconds, .. } = self;
         let cost = seconds.with_one_changed.get(&part).map(|changed| (changed - seconds.planned).abs());
         PartFigures {
@@ -176,12 +176,12 @@ impl PartFigures {
     }
 }
 
-fn share(part: Part, shares: &Shares) -> Option<f64> {
+fn share(part: PhysicsPart, shares: &Shares) -> Option<f64> {
     match part {
-        Part::BetweenBodies => Some(together(&shares.between)),
-        Part::Road => shares.road.as_deref().map(together),
-        Part::Edges => Some(together(&shares.edges)),
-        Part::Sheets => Some(shares.sheets),
+        PhysicsPart::BetweenBodies => Some(together(&shares.between)),
+        PhysicsPart::Road => shares.road.as_deref().map(together),
+        PhysicsPart::Edges => Some(together(&shares.edges)),
+        PhysicsPart::Sheets => Some(shares.sheets),
     }
 }
 

@@ -17,7 +17,7 @@ use plotting::svg::Svg;
 
 /// Direction of a road on the sheet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Way {
+pub(super) enum RoadDirection {
     /// The road runs to the right, and across it is downwards.
     Right,
     /// The road runs upwards, and across it is to the right.
@@ -48,9 +48,9 @@ impl Region {
     }
 
     /// Direction of the road on the sheet: to the right if the region is long, else upwards.
-    pub(super) fn way(&self, form: Form) -> Way {
+    pub(super) fn way(&self, form: Form) -> RoadDirection {
         let [across_m, along_m] = self.sizes_m();
-        if form == Form::Wide && across_m < 0.6 * along_m { Way::Right } else { Way::Up }
+        if form == Form::Wide && across_m < 0.6 * along_m { RoadDirection::Right } else { RoadDirection::Up }
     }
 }
 
@@ -59,7 +59,7 @@ pub(super) struct Ground {
     sheet: Svg,
     form: Form,
     axes: Axes,
-    way: Way,
+    way: RoadDirection,
     road: Lanes,
     legend: Legend,
     labels: Labels,
@@ -86,8 +86,8 @@ impl Ground {
     /// Pixel of a place across and along the road.
     fn pixel(&self, [across_m, along_m]: [f64; 2]) -> [f64; 2] {
         match self.way {
-            Way::Right => [self.axes.x.at(along_m), self.axes.y.at(across_m)],
-            Way::Up => [self.axes.x.at(across_m), self.axes.y.at(along_m)],
+            RoadDirection::Right => [self.axes.x.at(along_m), self.axes.y.at(across_m)],
+            RoadDirection::Up => [self.axes.x.at(across_m), self.axes.y.at(along_m)],
         }
     }
 
@@ -125,7 +125,7 @@ impl Ground {
 
     /// Ends of the sheet along the road.
     pub(super) fn along_m(&self) -> [f64; 2] {
-        let axis = if self.way == Way::Right { self.axes.x } else { self.axes.y };
+        let axis = if self.way == RoadDirection::Right { self.axes.x } else { self.axes.y };
         [axis.from, axis.to]
     }
 
@@ -249,7 +249,7 @@ impl Ground {
 
     /// The picture with its axes, names, edges and legend.
     pub(super) fn finish(mut self, [across, along]: [&str; 2]) -> Svg {
-        let labels = if self.way == Way::Right { [along, across] } else { [across, along] };
+        let labels = if self.way == RoadDirection::Right { [along, across] } else { [across, along] };
         self.axes.draw(&mut self.sheet, labels[0], labels[1]);
         self.labels.draw(&mut self.sheet);
         if let Some(words) = self.beyond.draw(&mut self.sheet) {
@@ -266,22 +266,25 @@ fn ends(values: impl Iterator<Item = f64>) -> [f64; 2] {
 }
 
 /// Axes to scale: as large as width and height allow, with more ground in the remaining room.
-fn axes(form: Form, way: Way, region: Region, top: f64) -> Axes {
+fn axes(form: Form, way: RoadDirection, region: Region, top: f64) -> Axes {
     let [left, right] = form.sides_px();
     let [least_px, most_px] = if form == Form::Wide { [230.0, 560.0] } else { [200.0, 470.0] };
     let [across_m, along_m] = region.sizes_m();
-    let (width_m, height_m) = if way == Way::Right { (along_m, across_m) } else { (across_m, along_m) };
+    let (width_m, height_m) =
+        if way == RoadDirection::Right { (along_m, across_m) } else { (across_m, along_m) };
     let scale = ((right - left) / width_m).min(most_px / height_m);
     let height_px = (scale * height_m).max(least_px);
     let (more_width_m, more_height_m) = ((right - left) / scale - width_m, height_px / scale - height_m);
     let wider = |[low, high]: [f64; 2], by_m: f64| [low - 0.5 * by_m, high + 0.5 * by_m];
     let farther = |[low, high]: [f64; 2], by_m: f64| [low, high + by_m];
     let (x, y) = match way {
-        Way::Right => (farther(region.along_m, more_width_m), wider(region.across_m, more_height_m)),
-        Way::Up => (wider(region.across_m, more_width_m), farther(region.along_m, more_height_m)),
+        RoadDirection::Right => {
+            (farther(region.along_m, more_width_m), wider(region.across_m, more_height_m))
+        }
+        RoadDirection::Up => (wider(region.across_m, more_width_m), farther(region.along_m, more_height_m)),
     };
     // With a road to the right, its right side is at the bottom.
-    let y = if way == Way::Right { [y[1], y[0]] } else { y };
+    let y = if way == RoadDirection::Right { [y[1], y[0]] } else { y };
     Axes {
         x: Axis { from: x[0], to: x[1], start_px: left, end_px: right },
         y: Axis { from: y[0], to: y[1], start_px: top + height_px, end_px: top },

@@ -45,7 +45,7 @@ const LEG: f64 = 4.0;
 
 /// Numbers of the page.
 #[derive(Serialize)]
-struct Page {
+struct RcsPage {
     corners: Packed,
     triangles: Packed,
     /// Numbers of the facets in the mesh.
@@ -91,7 +91,7 @@ impl RcsView<'_> {
         self.parts.first().map_or(1.0, |part| part.amplitude_m.norm_sqr())
     }
 
-    fn numbers(&self) -> Page {
+    fn numbers(&self) -> RcsPage {
         let place = Placing::of(self.mesh);
         let powers = powers_of_facets(self.mesh, self.parts);
         let shown = shown(&powers);
@@ -99,7 +99,7 @@ impl RcsView<'_> {
         let triangles: Vec<u32> = shown.iter().flat_map(|t| self.mesh.triangles[*t as usize]).collect();
         let levels: Vec<u8> = shown.iter().map(|t| level(powers[*t as usize], self.strongest())).collect();
         let all: f64 = self.parts.iter().map(|part| part.amplitude_m.norm_sqr()).sum();
-        Page {
+        RcsPage {
             corners: Packed::steps(&corners, 5e-4),
             triangles: Packed::numbers(&triangles),
             numbers: Packed::numbers(&shown),

@@ -81,7 +81,7 @@ pub struct Situation {
 
 /// Numbers of the page.
 #[derive(Serialize)]
-struct Page<'a> {
+struct SweepPage<'a> {
     #[serde(flatten)]
     view: &'a SweepView,
     radars: Vec<StandingRadar>,
@@ -204,12 +204,12 @@ fn metrics(name: &str, view: &SweepView, chosen: usize) -> Markup {
 
 impl SweepView {
     /// Data of the page; `None` for a study without situations.
-    fn page(&self) -> Option<Page<'_>> {
+    fn page(&self) -> Option<SweepPage<'_>> {
         let first = self.situations.first()?;
         let (situations, meshes) = self.bodies();
         let (designs, radars) = self.standing();
         let surroundings = Surroundings::with_meshes(&first.header, meshes);
-        Some(Page { view: self, radars, designs, situations, surroundings })
+        Some(SweepPage { view: self, radars, designs, situations, surroundings })
     }
 
     /// Designs and the radars that they share.

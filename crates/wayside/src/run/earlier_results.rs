@@ -19,7 +19,7 @@ const SAID: &str =
     "A run writes into this folder, or was ended before its last result: not all of it is here.\n";
 
 /// Folder of results, and a run's file names in it.
-pub(crate) struct Results {
+pub(crate) struct EarlierResults {
     out: PathBuf,
     artifacts: Vec<&'static str>,
     /// Kind of its pictures; `None`: all kinds.
@@ -27,7 +27,7 @@ pub(crate) struct Results {
     frames: u32,
 }
 
-impl Results {
+impl EarlierResults {
     /// Results of one radar.
     pub(crate) fn of_radar(header: &SceneHeader, out: &Path) -> Self {
         let artifacts = products::artifacts(header).to_vec();
@@ -97,9 +97,9 @@ mod tests {
         let picture = out.path().join("pictures/scene-0000.png");
         std::fs::create_dir(out.path().join("pictures")).unwrap();
         std::fs::write(&picture, "mine").unwrap();
-        let results = Results::in_common(out.path(), 2);
+        let results = EarlierResults::in_common(out.path(), 2);
         assert!(results.keep_foreign().unwrap_err().to_string().contains("scene-0000.png: was not written"));
-        assert!(Results::in_common(out.path(), 0).keep_foreign().is_ok(), "none of its names");
+        assert!(EarlierResults::in_common(out.path(), 0).keep_foreign().is_ok(), "none of its names");
         results.outdate().unwrap();
         assert!(!picture.exists());
         std::fs::write(&picture, "of a run that was ended").unwrap();

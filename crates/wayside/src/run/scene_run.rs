@@ -1,7 +1,7 @@
 //! `run`: a scene to all of its results.
 
 use crate::remarks;
-use crate::run::earlier_results::Results;
+use crate::run::earlier_results::EarlierResults;
 use crate::run::leftovers;
 use crate::run::products::{self, Products};
 use crate::run::radar_outcome::RadarOutcome;
@@ -182,7 +182,8 @@ fn whole(settings: &Settings) -> Result<Outcome, Failure> {
             work.at(number, runs.len());
             (settings.tell)(&format!("radar {}", run.scene.radar.as_deref().unwrap_or_default()));
         }
-        let forget = |_: &Failure| above.iter().for_each(|out| Results::in_common(out, 1).forget_if_none());
+        let forget =
+            |_: &Failure| above.iter().for_each(|out| EarlierResults::in_common(out, 1).forget_if_none());
         match one_radar(settings, planned, cache.as_ref(), model.as_ref(), out).inspect_err(forget)? {
             OfRadar::Ran(outcome) => of_radars.push(*outcome),
             OfRadar::Expected(total) => expected.push(total),
@@ -224,10 +225,11 @@ fn begin(planned: &[PlannedScene], outs: &[PathBuf], above: Option<&Path>) -> Re
     let in_common = above.into_iter().flat_map(|out| several_radars::places(out, frames as usize));
     let places: Vec<PathBuf> = planned.iter().zip(outs).flat_map(of_radar).chain(in_common).collect();
     files::claim(&places)?;
-    let in_common = above.map(|out| Results::in_common(out, frames));
-    let of_radar = |(planned, out): (&PlannedScene, &PathBuf)| Results::of_radar(&planned.loaded.header, out);
+    let in_common = above.map(|out| EarlierResults::in_common(out, frames));
+    let of_radar =
+        |(planned, out): (&PlannedScene, &PathBuf)| EarlierResults::of_radar(&planned.loaded.header, out);
     planned.iter().zip(outs).map(of_radar).try_for_each(|results| results.keep_foreign())?;
-    in_common.iter().try_for_each(Results::keep_foreign)?;
+    in_common.iter().try_for_each(EarlierResults::keep_foreign)?;
     in_common.map_or(Ok(()), |results| results.outdate())?;
     Ok(writing)
 }
@@ -298,7 +300,7 @@ fn one_radar(
         return Ok(OfRadar::Expected(total));
     }
     let (start, begin) = (Instant::now(), processor_time::of_process());
-    let forget = |_: &Failure| Results::of_radar(&loaded.header, out).forget_if_none();
+    let forget = |_: &Failure| EarlierResults::of_radar(&loaded.header, out).forget_if_none();
     let (computed, figures) = compute(&chain, planned, &plans, settings, out).inspect_err(forget)?;
     let processor = processor_time::of_process().zip(begin).map(|(end, begin)| end - begin);
     let took = RunTook { seconds: start.elapsed().as_secs_f64(), processor };
@@ -335,7 +337,7 @@ fn compute(
     let mut products = Products::create(chain, out, &planned.loaded.files)?;
     let mut tracking = Tracking::of(chain)?;
     let (mut frames, mut cycle) = (Vec::new(), Vec::new());
-    let mut earlier = Some(Results::of_radar(chain.header, out));
+    let mut earlier = Some(EarlierResults::of_radar(chain.header, out));
     let frame_of = |plan: &FramePlan| {
         progress::note(format!("frame {} of {}", plan.index + 1, plans.len()));
         chain.frame(plan)
@@ -388,7 +390,7 @@ fn conclude(
     };
     files::write_file(&out.join("summary.json"), summary.json()?.as_bytes())?;
     report::write(&summary, figures, &settings.making, out)?;
-    Results::of_radar(&planned.loaded.header, out).are_whole()?;
+    EarlierResults::of_radar(&planned.loaded.header, out).are_whole()?;
     let frames = planned.loaded.header.frames;
     leftovers::remark(out, &figures.artifacts, |_, number| number < frames);
     console_lines::lines(&summary).iter().for_each(|line| (settings.tell)(line));

@@ -1,7 +1,7 @@
 //! Run of a scene with several radars, side by side: `summary.json` and `report.html` are in the folder above
 //! those of the radars.
 
-use crate::run::earlier_results::Results;
+use crate::run::earlier_results::EarlierResults;
 use crate::run::leftovers;
 use crate::run::radar_outcome::RadarOutcome;
 use pipeline::host::failure::Failure;
@@ -60,7 +60,7 @@ pub(crate) fn conclude(
     }
     files::write_file(&out.join("summary.json"), summary.json()?.as_bytes())?;
     report::write_several(&summary, &by_id, &views, making, out)?;
-    Results::in_common(out, views.len() as u32).are_whole()?;
+    EarlierResults::in_common(out, views.len() as u32).are_whole()?;
     leftovers::remark(out, &[], |kind, number| kind == "scene" && (number as usize) < views.len());
     console_lines::lines_of_radars(&summary).iter().for_each(|line| tell(line));
     tell(&format!("report of all radars: {}", out.join("report.html").display()));

@@ -21,7 +21,7 @@ pub(crate) struct ProjectionGrid {
     /// Triangles in the same units and order.
     triangles: Vec<ProjectedTriangle>,
     /// Levels of cells, the finest first.
-    levels: Vec<Level>,
+    levels: Vec<GridLevel>,
     /// Start of each cell's entries, level by level and row by row, and the end of the last.
     starts: Vec<u32>,
     /// Entries by cell, nearest first.
@@ -30,7 +30,7 @@ pub(crate) struct ProjectionGrid {
 
 /// Cells of one size.
 #[derive(Debug, Clone, Copy)]
-struct Level {
+struct GridLevel {
     /// Number of this level's cells per finest cell.
     scale: f64,
     columns: usize,
@@ -134,7 +134,7 @@ impl ProjectionGrid {
     fn filled(boxes: Vec<Extent>, size: DVec2) -> Self {
         let levels = levels(size);
         let count = levels.last().map_or(0, |last| last.first + last.cells_in(size));
-        let own: Vec<(&Level, Cells)> = boxes.iter().map(|b| b.listed(&levels)).collect();
+        let own: Vec<(&GridLevel, Cells)> = boxes.iter().map(|b| b.listed(&levels)).collect();
         let mut starts = vec![0_u32; count + 1];
         let cells = |slot: usize| {
             own[slot].1.all().map({
@@ -163,11 +163,11 @@ impl ProjectionGrid {
 }
 
 /// Levels of cells from the finest to one that contains the view.
-fn levels(size: DVec2) -> Vec<Level> {
+fn levels(size: DVec2) -> Vec<GridLevel> {
     let mut levels = Vec::new();
     let (mut scale, mut first) = (1.0, 0);
     loop {
-        let level = Level { scale, columns: (size.x * scale) as usize + 1, first };
+        let level = GridLevel { scale, columns: (size.x * scale) as usize + 1, first };
         levels.push(level);
         if (size.max_element() * scale) < 1.0 {
             return levels;
@@ -177,7 +177,7 @@ fn levels(size: DVec2) -> Vec<Level> {
     }
 }
 
-impl Level {
+impl GridLevel {
     fn cell(&self, column: usize, row: usize) -> usize {
         self.first + row * self.columns + column
     }
@@ -217,7 +217,7 @@ impl Extent {
     }
 
     /// Level and cells in which a box is listed: the finest cells that are not smaller than it.
-    fn listed<'l>(&self, levels: &'l [Level]) -> (&'l Level, Cells) {
+    fn listed<'l>(&self, levels: &'l [GridLevel]) -> (&'l GridLevel, Cells) {
         let longest = (self.high - self.low).max_element();
         let index = levels.partition_point(|level| longest * level.scale > 1.0).min(levels.len() - 1);
         (&levels[index], Cells::of(self, levels[index].scale))

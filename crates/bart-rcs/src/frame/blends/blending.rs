@@ -4,7 +4,7 @@
 use crate::frame::band_power::power_over_frame;
 use crate::frame::blends::axis::{BlendAxis, FINEST, GRID_STEPS, STEPS_OF_LOOKS};
 use crate::frame::blends::changing_ways::{bodies, found, least_missed, named};
-use crate::frame::blends::nodes::{Nodes, Surroundings};
+use crate::frame::blends::nodes::{BlendContext, BlendNodes};
 use crate::frame::frame_error::{FrameError, GivenUp, Reference};
 use crate::frame::path_plan::{MOMENTS_MAX, PATHS_MAX, Plan};
 use crate::frame::path_pruning::Kept;
@@ -26,7 +26,7 @@ pub(crate) fn split(
     }
     let (fineness, strongest_dropped) = (whole.fineness.clone(), whole.strongest_dropped.clone());
     let middle = whole.paths.clone();
-    let surroundings = Surroundings {
+    let context = BlendContext {
         scenery,
         fineness: &fineness,
         strongest_dropped: &strongest_dropped,
@@ -36,7 +36,7 @@ pub(crate) fn split(
         Blending { plan: scenery.plan, middle: &middle, points, reference, best: whole, along: vec![] };
     for axis in BlendAxis::ALL.into_iter().filter(|axis| scenery.changes_along(*axis)) {
         if needs_nodes(scenery.plan, &blending.best) {
-            blending.add(axis, &surroundings)?;
+            blending.add(axis, &context)?;
         }
     }
     Ok(blending.best)
@@ -51,8 +51,8 @@ pub(crate) fn split_alike(
 ) -> Result<Vec<Path>, BartError> {
     let Kept { paths: middle, strongest_dropped, .. } = kept;
     let (strongest_dropped, of_middle) = (strongest_dropped.as_slice(), middle.len());
-    let surroundings = Surroundings { scenery, fineness, strongest_dropped, of_middle };
-    let mut along: Vec<Nodes<'_>> = Vec::new();
+    let context = BlendContext { scenery, fineness, strongest_dropped, of_middle };
+    let mut along: Vec<BlendNodes<'_>> = Vec::new();
     for axis in BlendAxis::ALL {
         let (nodes, ways) = match axis {
             BlendAxis::Time => (fineness.moments, &fineness.ways),
@@ -61,8 +61,8 @@ pub(crate) fn split_alike(
         let ways = found(ways, scenery.plan);
         let steps = nodes.checked_sub(1).filter(|steps| GRID_STEPS.contains(steps) && !ways.is_empty());
         if let Some(steps) = steps {
-            let mut nodes = Nodes::of(&surroundings, axis, ways, &middle);
-            nodes.fill(steps, along.iter().map(Nodes::paths).sum())?;
+            let mut nodes = BlendNodes::of(&context, axis, ways, &middle);
+            nodes.fill(steps, along.iter().map(BlendNodes::paths).sum())?;
             along.push(nodes);
         }
     }
@@ -86,20 +86,20 @@ struct Blending<'a> {
     reference: &'a Reference,
     best: PathTable,
     /// Nodes of the best table, by axis.
-    along: Vec<Nodes<'a>>,
+    along: Vec<BlendNodes<'a>>,
 }
 
 impl<'a> Blending<'a> {
     /// Blends the paths that change along an axis from as few nodes as meet the accuracy, if that helps.
-    fn add(&mut self, axis: BlendAxis, surroundings: &'a Surroundings<'a>) -> Result<(), BartError> {
-        let (before, others) = (self.best.paths.len(), self.along.iter().map(Nodes::paths).sum());
+    fn add(&mut self, axis: BlendAxis, context: &'a BlendContext<'a>) -> Result<(), BartError> {
+        let (before, others) = (self.best.paths.len(), self.along.iter().map(BlendNodes::paths).sum());
         let measured = self.best.error.measured();
-        let mut nodes = Nodes::looked_at(surroundings, axis, self.middle, (measured, others))?;
+        let mut nodes = BlendNodes::looked_at(context, axis, self.middle, (measured, others))?;
         if nodes.ways.is_empty() {
             return Ok(());
         }
         let power = power_over_frame(self.middle, self.plan);
-        let most = if surroundings.scenery.turns_wheels() { FINEST } else { MOMENTS_MAX - 1 };
+        let most = if context.scenery.turns_wheels() { FINEST } else { MOMENTS_MAX - 1 };
         let mut best_steps = None;
         for steps in GRID_STEPS.into_iter().filter(|steps| *steps <= most) {
             if before + nodes.of_middle() * steps as usize > PATHS_MAX {
@@ -126,8 +126,8 @@ impl<'a> Blending<'a> {
 
     /// Error of the table with these additional nodes, and whether it is the best so far, in which case it is
     /// kept.
-    fn measure(&mut self, nodes: &Nodes<'a>) -> (f64, bool) {
-        let along: Vec<&Nodes<'_>> = self.along.iter().chain([nodes]).collect();
+    fn measure(&mut self, nodes: &BlendNodes<'a>) -> (f64, bool) {
+        let along: Vec<&BlendNodes<'_>> = self.along.iter().chain([nodes]).collect();
         let paths = blended(self.middle, &along);
         let blends_power_m2 = along.iter().map(|nodes| nodes.missed_beside_check()).sum();
         let given_up = GivenUp { blends_power_m2, ..self.best.given_up };
@@ -148,7 +148,7 @@ impl<'a> Blending<'a> {
 
 /// Paths of the frame's middle without those that are blended, each subtracted once for every axis beyond the
 /// first along which it is blended, followed by those of the nodes.
-fn blended(middle: &[Path], along: &[&Nodes<'_>]) -> Vec<Path> {
+fn blended(middle: &[Path], along: &[&BlendNodes<'_>]) -> Vec<Path> {
     let own = middle.iter().filter_map(|path| {
         let way = bodies(path);
         match along.iter().filter(|nodes| nodes.ways.contain(&way)).count() {

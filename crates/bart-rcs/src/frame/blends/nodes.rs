@@ -12,7 +12,7 @@ use crate::frame::blends::axis::{BlendAxis, FINEST, LOOKED_AT, SHARE_OF_LOOKS};
 use crate::frame::blends::changing_ways::{FIELD_FREQUENCIES, bodies, field, ways_that_change};
 use crate::frame::path_pruning::pruned_alike;
 use crate::frame::path_sum::PathView;
-use crate::frame::path_table::{Node, paths_along, paths_bytes};
+use crate::frame::path_table::{BlendNode, paths_along, paths_bytes};
 use crate::frame::snapshot::Scenery;
 use crate::oversight::error::BartError;
 use crate::oversight::progress::Phase;
@@ -21,7 +21,7 @@ use num_complex::Complex64;
 use std::collections::BTreeMap;
 
 /// Scene, fineness and dropped powers common to all nodes of a frame.
-pub(super) struct Surroundings<'a> {
+pub(super) struct BlendContext<'a> {
     pub(super) scenery: &'a Scenery<'a>,
     pub(super) fineness: &'a Fineness,
     pub(super) strongest_dropped: &'a [f64],
@@ -30,8 +30,8 @@ pub(super) struct Surroundings<'a> {
 }
 
 /// Paths of some sequences at the nodes of one axis.
-pub(super) struct Nodes<'a> {
-    surroundings: &'a Surroundings<'a>,
+pub(super) struct BlendNodes<'a> {
+    context: &'a BlendContext<'a>,
     pub(super) axis: BlendAxis,
     /// Sequences traced at all nodes; all existing ones if none are named.
     pub(super) ways: BodyWays,
@@ -43,34 +43,34 @@ pub(super) struct Nodes<'a> {
     pub(super) bytes: u64,
 }
 
-impl<'a> Nodes<'a> {
+impl<'a> BlendNodes<'a> {
     /// Paths of some sequences at the middle, before any other node.
     pub(super) fn of(
-        surroundings: &'a Surroundings<'a>,
+        context: &'a BlendContext<'a>,
         axis: BlendAxis,
         ways: BodyWays,
         middle: &[Path],
     ) -> Self {
         let own = middle.iter().filter(|path| ways.contain(&bodies(path))).copied().collect();
-        Self { surroundings, axis, ways, steps: 0, at: BTreeMap::from([(FINEST / 2, own)]), bytes: 0 }
+        Self { context, axis, ways, steps: 0, at: BTreeMap::from([(FINEST / 2, own)]), bytes: 0 }
     }
 
     /// Traces two other nodes of an axis for the sequences that differ there from those in `middle`, with
     /// this number of paths of other nodes held.
     pub(super) fn looked_at(
-        surroundings: &'a Surroundings<'a>,
+        context: &'a BlendContext<'a>,
         axis: BlendAxis,
         middle: &[Path],
         (measured, others): (f64, usize),
     ) -> Result<Self, BartError> {
-        let mut looks = Self::of(surroundings, axis, BodyWays::default(), &[]);
+        let mut looks = Self::of(context, axis, BodyWays::default(), &[]);
         for place in LOOKED_AT {
             let paths = looks.traced(place, others)?;
             looks.at.insert(place, paths);
         }
         let others = LOOKED_AT.map(|place| (looks.view(place), looks.at[&place].as_slice()));
-        let ways = ways_that_change(surroundings.scenery.plan, middle, measured, others);
-        let mut nodes = Self { bytes: looks.bytes, ..Self::of(surroundings, axis, ways, middle) };
+        let ways = ways_that_change(context.scenery.plan, middle, measured, others);
+        let mut nodes = Self { bytes: looks.bytes, ..Self::of(context, axis, ways, middle) };
         for place in LOOKED_AT {
             let mut paths = looks.at.remove(&place).unwrap_or_default();
             paths.retain(|path| nodes.ways.contain(&bodies(path)));
@@ -93,7 +93,7 @@ impl<'a> Nodes<'a> {
 
     /// Paths of a place, with this number of paths of other nodes held.
     fn traced(&mut self, place: u32, others: usize) -> Result<Vec<Path>, BartError> {
-        let Surroundings { scenery, fineness, strongest_dropped, of_middle } = self.surroundings;
+        let BlendContext { scenery, fineness, strongest_dropped, of_middle } = self.context;
         let plan = scenery.plan;
         let (seconds, ends_m) = self.axis.at(plan, place);
         let ways = (!self.ways.is_empty()).then_some(&self.ways);
@@ -104,7 +104,7 @@ impl<'a> Nodes<'a> {
             None => beside.at(seconds, ends_m)?,
         };
         self.bytes = self.bytes.max(snapshot.bytes());
-        let node = Node { ways, seconds, ends_m };
+        let node = BlendNode { ways, seconds, ends_m };
         let paths = paths_along(&snapshot.scatterer(plan, Phase::Tracing), plan, fineness, &node)?;
         Ok(pruned_alike(paths, plan, &snapshot.world, strongest_dropped))
     }
@@ -136,13 +136,13 @@ impl<'a> Nodes<'a> {
     /// Power of the error of a grid's blend at a traced place.
     fn missed(&self, place: u32, steps: u32) -> f64 {
         let view = self.view(place);
-        let exact = field(self.at.get(&place), self.surroundings.scenery.plan, &view);
+        let exact = field(self.at.get(&place), self.context.scenery.plan, &view);
         mean_difference(&exact, &self.blended_field(steps, &view))
     }
 
     /// S of a grid's blend over the band, from the nodes that have a share in it there.
     fn blended_field(&self, steps: u32, view: &PathView) -> Vec<Complex64> {
-        let plan = self.surroundings.scenery.plan;
+        let plan = self.context.scenery.plan;
         let mut total = vec![Complex64::ZERO; FIELD_FREQUENCIES];
         for node in 0..=steps {
             let share = self.axis.share(plan, view, (node, steps));
@@ -156,7 +156,7 @@ impl<'a> Nodes<'a> {
 
     /// Paths of the grid's nodes, node by node.
     pub(super) fn blended(&self) -> impl Iterator<Item = Path> {
-        let plan = self.surroundings.scenery.plan;
+        let plan = self.context.scenery.plan;
         (0..=self.steps).flat_map(move |node| {
             let paths = self.at.get(&(node * (FINEST / self.steps))).into_iter().flatten();
             paths.map(move |path| self.axis.part(plan, *path, (node, self.steps)))
@@ -164,7 +164,7 @@ impl<'a> Nodes<'a> {
     }
 
     fn view(&self, place: u32) -> PathView {
-        let plan = self.surroundings.scenery.plan;
+        let plan = self.context.scenery.plan;
         let (seconds, ends_m) = self.axis.at(plan, place);
         plan.view_from(ends_m, seconds)
     }

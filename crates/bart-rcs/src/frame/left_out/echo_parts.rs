@@ -89,9 +89,9 @@ pub(crate) fn echo_parts(
     }
     let Some(tree) = WAYS.tree(&world, &plan)? else { return Ok(None) };
     let snapshot = Snapshot::of(world, tree);
-    let look = Look::of(snapshot.scatterer(&plan, Phase::Checking), &plan, nodes);
+    let coarse = CoarseEcho::of(snapshot.scatterer(&plan, Phase::Checking), &plan, nodes);
     let through = through_sheets(models, &plan, frame, nodes)?;
-    look.parts(through)
+    coarse.parts(through)
 }
 
 /// Scene with the coarseness and completeness of the computation.
@@ -108,7 +108,7 @@ fn looked_at(header: &SceneHeader) -> SceneHeader {
 }
 
 /// Bodies and beams of the computation.
-struct Look<'a> {
+struct CoarseEcho<'a> {
     scatterer: Scatterer<'a>,
     plan: &'a Plan<'a>,
     wavenumbers_per_m: Vec<f64>,
@@ -117,7 +117,7 @@ struct Look<'a> {
     nodes: NodeRule,
 }
 
-impl<'a> Look<'a> {
+impl<'a> CoarseEcho<'a> {
     fn of(scatterer: Scatterer<'a>, plan: &'a Plan<'a>, nodes: NodeRule) -> Self {
         let frequencies_hz = frequencies_hz(plan.band.centre_hz, plan.band.bandwidth_hz, FREQUENCIES);
         let wavenumbers_per_m = frequencies_hz.iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect();
@@ -257,7 +257,7 @@ fn through_sheets(
     let ways = LeftOutWays { bounces: TRANSMITTED_ORDERS, ..WAYS };
     let Some(tree) = ways.tree(&world, plan)? else { return Ok(None) };
     let snapshot = Snapshot::of(world, tree);
-    let look = Look::of(snapshot.scatterer(plan, Phase::Checking), plan, nodes);
-    let by_order = look.ways(TRANSMITTED_ORDERS).into_iter().map(|of| total(of.into_iter(), FREQUENCIES));
+    let coarse = CoarseEcho::of(snapshot.scatterer(plan, Phase::Checking), plan, nodes);
+    let by_order = coarse.ways(TRANSMITTED_ORDERS).into_iter().map(|of| total(of.into_iter(), FREQUENCIES));
     Ok(Some(total(by_order, FREQUENCIES)))
 }

@@ -15,7 +15,7 @@ use radar::motion::pose_after;
 
 /// Course of a path.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Way {
+pub(super) struct PathCourse {
     /// Places between transmitter and receiver, world metres.
     pub(super) places_m: Vec<DVec3>,
     /// Distance by which both ends miss each other at the node; `None` if the course leads through the
@@ -59,14 +59,14 @@ impl<'a> Folding<'a> {
     }
 
     /// The course of a path; for a wheel that of its hub.
-    pub(super) fn way(&self, path: &Path) -> Way {
+    pub(super) fn way(&self, path: &Path) -> PathCourse {
         let facets = path.sequence();
         let nodes = 0..facets.len().max(1);
         let ways = nodes.filter_map(|node| self.through(path, facets, node));
         let best = ways.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, missed_m)| *missed_m < MISSED_M);
         match best {
-            Some((places_m, missed_m)) => Way { places_m, missed_by_m: Some(missed_m) },
-            None => Way { places_m: self.middles(path, facets), missed_by_m: None },
+            Some((places_m, missed_m)) => PathCourse { places_m, missed_by_m: Some(missed_m) },
+            None => PathCourse { places_m: self.middles(path, facets), missed_by_m: None },
         }
     }
 
@@ -177,7 +177,7 @@ mod tests {
         Path { order: 2, apparent_tx_m: tx_m, apparent_rx_m: rx_m, facets, ..Path::default() }
     }
 
-    fn way(path: &Path) -> Way {
+    fn way(path: &Path) -> PathCourse {
         let mesh = dihedral();
         let pose = Pose {
             position_m: [0.0; 3],

@@ -1,7 +1,7 @@
 //! Paths of a frame in the view: the strongest, with their places and powers.
 
 use crate::report::viewer::packed::Packed;
-use crate::report::viewer::path_geometry::{Folding, Way};
+use crate::report::viewer::path_geometry::{Folding, PathCourse};
 use artifact::paths::{Path, PathsFrame};
 use artifact::radar::Radar;
 use glam::DVec3;
@@ -63,7 +63,7 @@ impl StrongestPaths {
         let left_out_power_w = order.iter().skip(most).map(|i| powers[*i]).sum();
         order.truncate(most);
         let shown: Vec<&Path> = order.iter().map(|i| &frame.paths[*i]).collect();
-        let ways: Vec<Way> = shown.iter().map(|path| folding.way(path)).collect();
+        let ways: Vec<PathCourse> = shown.iter().map(|path| folding.way(path)).collect();
         let level = |i: &usize| (10.0 * powers[*i].log10()).max(NO_POWER_DBW);
         let [ranges, velocities] = ranges_and_velocities(radar, &shown);
         Self {
@@ -83,7 +83,7 @@ impl StrongestPaths {
     }
 }
 
-fn all_places_m(ways: &[Way]) -> Vec<[f64; 3]> {
+fn all_places_m(ways: &[PathCourse]) -> Vec<[f64; 3]> {
     ways.iter().flat_map(|way| &way.places_m).map(DVec3::to_array).collect()
 }
 

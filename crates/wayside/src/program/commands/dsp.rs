@@ -24,7 +24,7 @@ pub(crate) fn run(arguments: &DspArguments) -> Result<(), Failure> {
     let mut header = reader.header().clone();
     let of_scene = arguments.scene.as_deref().map(|file| settings_of(file, arguments.radar.as_deref()));
     let mut inputs = reader.preamble().provenance.inputs.clone();
-    if let Some(OfScene { settings, noise, hashed }) = of_scene.transpose()? {
+    if let Some(SettingsOfScene { settings, noise, hashed }) = of_scene.transpose()? {
         header.dsp = settings;
         remark_on_noise(arguments, noise, header.noise);
         inputs.extend(hashed.into_iter().filter(|file| !reader.preamble().provenance.inputs.contains(file)));
@@ -122,17 +122,17 @@ fn refused(file: &Path, error: &dyn std::fmt::Display) -> Failure {
 }
 
 /// Settings of a scene for a cube that was made from another one.
-struct OfScene {
+struct SettingsOfScene {
     settings: DspSettings,
     noise: Noise,
     /// Names and hashes of the files of these settings.
     hashed: Vec<(String, String)>,
 }
 
-fn settings_of(file: &Path, radar: Option<&str>) -> Result<OfScene, Failure> {
+fn settings_of(file: &Path, radar: Option<&str>) -> Result<SettingsOfScene, Failure> {
     let files = scene::inputs_but_models(file, &[], radar).map_err(loading::of_scene)?;
     let (scene, hashed) = loading::read_of(&files, || loading::radar_only(file, radar))?;
-    Ok(OfScene { settings: scene.dsp, noise: scene.noise, hashed })
+    Ok(SettingsOfScene { settings: scene.dsp, noise: scene.noise, hashed })
 }
 
 /// Notes if the noise of the scene differs from that of the cube, which counts.

@@ -48,19 +48,26 @@ fn tell(line: &str) {
     terminal::line(line);
 }
 
-fn of_dataset(arguments: &DatasetArguments, memory: Allowance) -> dataset::Settings<'static> {
+fn of_dataset(arguments: &DatasetArguments, memory: Allowance) -> dataset::DatasetSettings<'static> {
     let DatasetArguments { spec, out, shard, conclude, dry_run, seed } = arguments;
     let task = match (dry_run, conclude) {
         (true, _) => Task::Predict,
         (_, true) => Task::Conclude,
         _ => Task::Make { shard: [shard.number, shard.of] },
     };
-    dataset::Settings { recipe: spec.clone(), out: out.clone(), seed: *seed, task, memory, tell: &tell }
+    dataset::DatasetSettings {
+        recipe: spec.clone(),
+        out: out.clone(),
+        seed: *seed,
+        task,
+        memory,
+        tell: &tell,
+    }
 }
 
-fn of_training(arguments: &TrainArguments) -> training::Settings<'static> {
+fn of_training(arguments: &TrainArguments) -> training::TrainingSettings<'static> {
     let TrainArguments { datasets, out, learner, seed, iterations, attributions } = arguments;
-    training::Settings {
+    training::TrainingSettings {
         datasets: datasets.clone(),
         out: out.clone(),
         learner: learner_of(*learner),
@@ -71,15 +78,15 @@ fn of_training(arguments: &TrainArguments) -> training::Settings<'static> {
     }
 }
 
-fn of_evaluation(arguments: &EvaluateArguments) -> evaluation::Settings {
+fn of_evaluation(arguments: &EvaluateArguments) -> evaluation::EvaluationSettings {
     let EvaluateArguments { model, datasets, out } = arguments.clone();
-    evaluation::Settings { model, datasets, out }
+    evaluation::EvaluationSettings { model, datasets, out }
 }
 
-fn of_protocols(arguments: &ProtocolsArguments) -> protocols::Settings<'static> {
+fn of_protocols(arguments: &ProtocolsArguments) -> protocols::ProtocolSettings<'static> {
     let ProtocolsArguments { datasets, test, learner, iterations, seeds, curves, out } = arguments.clone();
     let learner = learner_of(learner);
-    protocols::Settings { datasets, test, learner, iterations, seeds, curves, out, tell: &tell }
+    protocols::ProtocolSettings { datasets, test, learner, iterations, seeds, curves, out, tell: &tell }
 }
 
 fn learner_of(word: LearnerWord) -> Learner {

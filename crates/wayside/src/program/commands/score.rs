@@ -49,21 +49,21 @@ pub(crate) fn run(arguments: &ScoreArguments) -> Result<(), Failure> {
 }
 
 /// Paths of a scene, refused if they belong to another scene's bodies.
-struct OfScene {
+struct PathsOfScene {
     file: PathBuf,
     paths: Beside<Paths>,
 }
 
-fn paths_of(file: &Path, scene: &SceneHeader) -> Result<OfScene, Failure> {
+fn paths_of(file: &Path, scene: &SceneHeader) -> Result<PathsOfScene, Failure> {
     let paths = Beside::<Paths>::open(file, |frame| frame.index)?;
     provenance_checks::are_of_bodies(file, scene, &paths.header().targets)?;
     provenance_checks::same_radar(file, &scene.radar, Some(&paths.header().radar))?;
     provenance_checks::are_of_same_bodies(scene, paths.provenance())
         .map_err(|failure| failure.about(file))?;
-    Ok(OfScene { file: file.to_owned(), paths })
+    Ok(PathsOfScene { file: file.to_owned(), paths })
 }
 
-impl OfScene {
+impl PathsOfScene {
     /// Paths of the scene's frame.
     fn frame(&mut self, of_scene: &SceneFrame) -> Result<PathsFrame, Failure> {
         let frame = self.paths.frame(of_scene.index)?;
