@@ -18,7 +18,8 @@ fn main() {
         let own = root.join("crates").join(stage);
         let seen = dependencies::of(&root, stage).unwrap_or_else(|error| fail(&format!("{stage}: {error}")));
         let others = seen.into_iter().filter(|leaf| !common.contains(leaf));
-        let reference = (stage == "bart-rcs").then(|| root.join("crates/po-sbr")); // tables of both are kept alike
+        // Tables of both are kept alike.
+        let reference = (stage == "bart-rcs").then(|| root.join("crates/po-sbr"));
         let places: Vec<PathBuf> =
             common.iter().cloned().chain([own]).chain(others).chain(reference).collect();
         places.iter().for_each(|place| println!("cargo::rerun-if-changed={}", place.display()));

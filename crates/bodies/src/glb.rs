@@ -44,7 +44,10 @@ impl Buffer {
     pub(crate) fn colours(&mut self, values: &[[u8; 4]]) -> usize {
         let view = self.view(values.concat(), ARRAY_BUFFER);
         let count = values.len();
-        self.accessor(json!({ "bufferView": view, "componentType": UNSIGNED_BYTE, "normalized": true, "count": count, "type": "VEC4" }))
+        self.accessor(json!({
+            "bufferView": view, "componentType": UNSIGNED_BYTE, "normalized": true,
+            "count": count, "type": "VEC4"
+        }))
     }
 
     fn view(&mut self, bytes: Vec<u8>, target: u32) -> usize {

@@ -13,9 +13,16 @@
 //! use classifier::Classifier;
 //! use classifier_training::{Augmentation, Schedule, TrainSettings, train};
 //!
-//! let format = CropFormat { side: 16, range_span_m: 24.0, velocity_span_mps: 8.0, floor_db: 0.0, ceiling_db: 50.0 };
+//! let format = CropFormat {
+//!     side: 16,
+//!     range_span_m: 24.0,
+//!     velocity_span_mps: 8.0,
+//!     floor_db: 0.0,
+//!     ceiling_db: 50.0,
+//! };
 //! // Four bright rows at a height that tells the class: as easy as it gets.
-//! let pixels = |n: u64| (0..256_u64).map(|p| if p / 64 == n % 4 { 220 } else { p as u8 % 50 + n as u8 }).collect();
+//! let pixel = |n: u64, p: u64| if p / 64 == n % 4 { 220 } else { p as u8 % 50 + n as u8 };
+//! let pixels = |n: u64| (0..256).map(|p| pixel(n, p)).collect();
 //! let sample = |n: u64| Sample {
 //!     id: n.to_string(),
 //!     signature: Signature::default(),
@@ -44,7 +51,8 @@
 //! };
 //! let trained = train((0..64).map(|n| Ok(sample(n))), &format, &settings, 1, &mut |_| ())?;
 //! let classifier = Classifier::from_model(&trained.header, &trained.weights)?;
-//! let probabilities = classifier.probabilities(&[Crop { pixels: pixels(66), range_m: 40.0, radial_velocity_mps: 0.0 }])?;
+//! let crop = Crop { pixels: pixels(66), range_m: 40.0, radial_velocity_mps: 0.0 };
+//! let probabilities = classifier.probabilities(&[crop])?;
 //! assert!(probabilities[0][2] > 0.5, "{probabilities:?}"); // a truck
 //! # Ok::<(), classifier_training::TrainingError>(())
 //! ```

@@ -61,9 +61,12 @@ fn a_scene_in_two_splits_is_refused() {
     let second = [Split::Train, Split::Validation].into_iter().find(|s| *s != first).unwrap();
     samples[3].split = second;
     let error = trained(samples, &quick(), 1).unwrap_err();
-    assert!(
-        matches!(error, TrainingError::Classifier(ClassifierError::SceneInTwoSplits { scene: 0, first: f, second: s }) if (f, s) == (first, second))
-    );
+    let TrainingError::Classifier(ClassifierError::SceneInTwoSplits { scene: 0, first: f, second: s }) =
+        error
+    else {
+        panic!("{error}")
+    };
+    assert_eq!((f, s), (first, second));
 }
 
 #[test]
@@ -73,9 +76,10 @@ fn the_same_image_in_two_splits_is_refused() {
     samples[copied].crop = samples[0].crop.clone();
     let expected = (samples[0].id.clone(), samples[copied].id.clone());
     let error = trained(samples, &quick(), 1).unwrap_err();
-    assert!(
-        matches!(error, TrainingError::Classifier(ClassifierError::CropInTwoSplits { first, second }) if (&first, &second) == (&expected.0, &expected.1))
-    );
+    let TrainingError::Classifier(ClassifierError::CropInTwoSplits { first, second }) = &error else {
+        panic!("{error}")
+    };
+    assert_eq!((first, second), (&expected.0, &expected.1));
 }
 
 #[test]

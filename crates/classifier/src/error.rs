@@ -36,7 +36,11 @@ pub enum ClassifierError {
         found: f64,
     },
     /// Shards of different datasets.
-    #[error("{}: differs from {}: all shards of a dataset have one format of crops", shard.display(), first.display())]
+    #[error(
+        "{}: differs from {}: all shards of a dataset have one format of crops",
+        shard.display(),
+        first.display()
+    )]
     ShardFormat {
         /// The differing shard.
         shard: PathBuf,

@@ -128,7 +128,11 @@ pub enum DspError {
     #[error("samples follow from maps of complex samples and chirps at one interval alone")]
     NoInverse,
     /// A false-alarm rate outside the range of thresholds.
-    #[error("false_alarm_rate must lie from {least:e} to {most}, is {0:e}", least = FALSE_ALARM_RATES.start(), most = FALSE_ALARM_RATES.end())]
+    #[error(
+        "false_alarm_rate must lie from {least:e} to {most}, is {0:e}",
+        least = FALSE_ALARM_RATES.start(),
+        most = FALSE_ALARM_RATES.end()
+    )]
     FalseAlarmRate(f64),
     /// No cells to estimate the noise from.
     #[error("training_cells are [0, 0]: no cell is left to estimate the noise from")]

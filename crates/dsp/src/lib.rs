@@ -48,8 +48,8 @@
 //!     let delay_s = 2.0 * (range_m + velocity_mps * (f64::from(chirp) * 60e-6 + time_s)) / 299_792_458.0;
 //!     77e9 * delay_s + 12.5e12 * (time_s * delay_s - 0.5 * delay_s * delay_s) - 0.5 * f64::from(rx) * u
 //! };
-//! let sample = |i: i32| (cycles(i / 256 / 64, i / 256 % 64, i % 256).fract() * std::f64::consts::TAU) as f32;
-//! let samples = (0..4 * 64 * 256).map(|i| Complex32::from_polar(1e-6, sample(i))).collect();
+//! let phase_rad = |i: i32| std::f64::consts::TAU * cycles(i / 256 / 64, i / 256 % 64, i % 256).fract();
+//! let samples = (0..4 * 64 * 256).map(|i| Complex32::from_polar(1e-6, phase_rad(i) as f32)).collect();
 //! let frame = CubeFrame { index: 0, time_s: 0.0, samples, error: Default::default() };
 //!
 //! let receiver = dsp::Receiver::new(&header)?;

@@ -39,7 +39,8 @@
 //! let middle_of_chirp = |chirp: usize| cube.samples[chirp * 256 + 128];
 //! let turn_rad = (middle_of_chirp(1) * middle_of_chirp(0).conj()).arg();
 //! assert!((turn_rad - 1.944).abs() < 1e-3);
-//! assert!(cube.error.synthesis < Some(1e-7)); // measured against the reference form; f32 storage is the most of it
+//! // Measured against the reference form; most of it is storage in f32.
+//! assert!(cube.error.synthesis < Some(1e-7));
 //! # Ok::<(), fmcw_echo::EchoError>(())
 //! ```
 

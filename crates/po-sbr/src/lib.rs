@@ -18,8 +18,12 @@
 //!     ..Mesh::default()
 //! };
 //! let ahead = Standpoint { azimuth_rad: 0.0, elevation_rad: 0.0, range_m: f64::INFINITY };
-//! let sampling =
-//!     po::Sampling { per_wavelength: 2.0, shadow_levels: 0, sides: Sides::Two, bracket: Bracket::Symmetrised };
+//! let sampling = po::Sampling {
+//!     per_wavelength: 2.0,
+//!     shadow_levels: 0,
+//!     sides: Sides::Two,
+//!     bracket: Bracket::Symmetrised,
+//! };
 //! let s = po::amplitude(&plate, &Aspect::monostatic(ahead), &[77e9], &sampling)?;
 //! let expected = (4.0 * std::f64::consts::PI).sqrt() * 4e-4 / (299_792_458.0 / 77e9);
 //! assert!((s[0][0][0].im - expected).abs() < 1e-9 * expected);

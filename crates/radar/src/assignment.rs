@@ -145,7 +145,8 @@ mod tests {
             rows in 0_usize..6, columns in 0_usize..6, seed in prop::collection::vec(-4.0_f64..9.0, 36)
         ) {
             // Steps of a half produce ties; above 8 a pair is forbidden.
-            let cost = |(r, c): (usize, usize)| Some((2.0 * seed[6 * r + c]).round() / 2.0).filter(|v| *v < 8.0);
+            let in_halves = |value: f64| (2.0 * value).round() / 2.0;
+            let cost = |(r, c): (usize, usize)| Some(in_halves(seed[6 * r + c])).filter(|v| *v < 8.0);
             let costs = Array2::from_shape_fn((rows, columns), |at| cost(at).unwrap_or(f64::INFINITY));
             let chosen = assignment(costs.view(), 5.0);
             let columns_used: Vec<usize> = chosen.iter().flatten().copied().collect();

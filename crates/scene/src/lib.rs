@@ -32,7 +32,8 @@
 //! std::fs::write(&file, "name = \"crossing\"\nframes = 0\n[radar]\npositon_m = [0, 0, 6]\n")?;
 //! let errors = read(&file, &whole).unwrap_err();
 //! assert_eq!(errors.0.len(), 2);
-//! assert!(errors.to_string().ends_with("4:1: [radar]: unknown key `positon_m`; the nearest is `position_m`"));
+//! let last = "4:1: [radar]: unknown key `positon_m`; the nearest is `position_m`";
+//! assert!(errors.to_string().ends_with(last));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!

@@ -158,7 +158,8 @@ fn conclude(settings: &Settings, done: &Done, situations: &[&Situation]) -> Resu
             (report::figure("Value and cost of the designs.", &figure))
             @for block in &rest { (on_page(block)) }
             p.made {
-                "Made by " code { (settings.command) } ". Files beside this page: " a href="sweep.csv" { "sweep.csv" } " (every run), "
+                "Made by " code { (settings.command) } ". Files beside this page: "
+                a href="sweep.csv" { "sweep.csv" } " (every run), "
                 a href="designs.csv" { "designs.csv" } " (every design)."
             }
         },

@@ -83,7 +83,11 @@ pub enum BartError {
         most: usize,
     },
     /// A body that exceeds its memory limit.
-    #[error("{triangles} triangles are expected to take {} MiB; the limit is {} MiB", bytes >> 20, limit_bytes >> 20)]
+    #[error(
+        "{triangles} triangles are expected to take {} MiB; the limit is {} MiB",
+        bytes >> 20,
+        limit_bytes >> 20
+    )]
     NeedsTooMuchMemory {
         /// Number of triangles in all bodies.
         triangles: usize,

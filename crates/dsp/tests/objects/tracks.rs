@@ -511,7 +511,8 @@ proptest! {
         for (index, objects) in frames.into_iter().enumerate() {
             let tracks = tracker.step(&frame(index as u32, objects)).unwrap();
             for track in &tracks.tracks {
-                prop_assert!(track.position_m.iter().chain(&track.velocity_mps).all(|v| v.is_finite()), "{:?}", track);
+                let mut numbers = track.position_m.iter().chain(&track.velocity_mps);
+                prop_assert!(numbers.all(|v| v.is_finite()), "{:?}", track);
             }
         }
     }

@@ -257,10 +257,12 @@ proptest! {
         (header.dsp.guard_cells, header.dsp.training_cells) = (guard, training);
         header.dsp.false_alarm_rate = rate;
         header.noise = if samples % 2 == 0 { Noise::Absent } else { NOISE_12_DB };
-        header.radar.array.multiplexing = [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm, Multiplexing::Bpm][mode];
+        let modes = [Multiplexing::Simultaneous, Multiplexing::Tdm, Multiplexing::Ddm, Multiplexing::Bpm];
+        header.radar.array.multiplexing = modes[mode];
         let length = header.shape().iter().product::<usize>();
         let wave = |i: usize| Complex32::from_polar(scale, (i * i % 97) as f32);
-        let frame = CubeFrame { index: 0, time_s: 0.0, samples: (0..length).map(wave).collect(), error: Default::default() };
+        let samples = (0..length).map(wave).collect();
+        let frame = CubeFrame { index: 0, time_s: 0.0, samples, error: Default::default() };
         if let Ok(map) = mapped(&header, &frame) {
             let receiver = Receiver::new(&header).unwrap();
             let points = receiver.detect(&map).unwrap();

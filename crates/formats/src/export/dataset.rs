@@ -53,7 +53,8 @@ fn image(file: &Path, sample: Sample) -> Result<Crop, Failure> {
 /// Fields of a sample's line in `manifest.jsonl`.
 pub(crate) fn label(sample: &Sample) -> Value {
     json!({
-        "id": sample.id, "class": sample.class.map(|c| c.name()), "model": sample.model, "variant": sample.variant,
+        "id": sample.id, "class": sample.class.map(|c| c.name()),
+        "model": sample.model, "variant": sample.variant,
         "scene": sample.scene, "target": sample.target, "frame": sample.frame,
         "range_m": sample.range_m, "velocity_mps": sample.radial_velocity_mps, "lane": sample.lane,
         "seed": sample.seed, "split": sample.split,

@@ -33,7 +33,8 @@ pub fn csv(reader: Reader<Paths>, out: &Path) -> Result<(), Failure> {
         sidecar::outdate(out)
     })?;
     let axes = json!({ "f_c_hz": header.centre_frequency_hz, "positions_at": "the frame's first sample",
-        "delay_at": "the frame's middle, from the array's centre", "facets": "body:triangle in the order of travel",
+        "delay_at": "the frame's middle, from the array's centre",
+        "facets": "body:triangle in the order of travel",
         "left_out": "accelerations, but for delay and rate; the turning of a wheel, whose hub is told (export to json has them)" });
     sidecar::write(out, &axes)
 }

@@ -45,7 +45,8 @@ fn write(out: &Path, frame: u32, target: &str, table: &RcsTable) -> Result<(), F
     })?;
     let degrees = |axis: &[f64]| axis.iter().map(|a| a.to_degrees()).collect::<Vec<_>>();
     let range = table.range_m.is_finite().then_some(table.range_m);
-    let axes = json!({ "freq_hz": table.frequency_hz, "el_deg": degrees(&table.elevation_rad), "az_deg": degrees(&table.azimuth_rad) });
+    let [el_deg, az_deg] = [degrees(&table.elevation_rad), degrees(&table.azimuth_rad)];
+    let axes = json!({ "freq_hz": table.frequency_hz, "el_deg": el_deg, "az_deg": az_deg });
     sidecar::write(
         out,
         &json!({ "axes": axes, "unit": "m", "frame": frame, "target": target, "range_m": range }),

@@ -188,14 +188,22 @@ fn of_integers(bytes: &[u8], step: f32) -> Option<Vec<Complex32>> {
 fn meta(header: &CubeHeader, recording: &Recording, times_s: &[f64]) -> Value {
     let waveform = &header.radar.waveform;
     let of_a_frame = recording.slots() * recording.samples;
-    let capture = |(i, time_s): (usize, &f64)| json!({ "core:sample_start": i * of_a_frame, FREQUENCY: waveform.centre_frequency_hz(), "wayside:time_s": time_s });
+    let frequency_hz = waveform.centre_frequency_hz();
+    let capture = |(i, time_s): (usize, &f64)| {
+        let start = i * of_a_frame;
+        json!({ "core:sample_start": start, FREQUENCY: frequency_hz, "wayside:time_s": time_s })
+    };
+    let description = format!(
+        "IF samples of an FMCW radar, {}: frame, chirp of any transmitter, sample, receiver",
+        header.unit.name()
+    );
     json!({
         "global": {
             "core:version": "1.0.0",
             "core:datatype": "cf32_le",
             "core:num_channels": recording.receivers,
             WAVEFORM.sample_rate: waveform.sample_rate_hz,
-            "core:description": format!("IF samples of an FMCW radar, {}: frame, chirp of any transmitter, sample, receiver", header.unit.name()),
+            "core:description": description,
             "core:recorder": RECORDER,
             "core:extensions": [{ "name": "wayside", "version": "1.0.0", "optional": true }],
             CHIRPS: recording.slots(),

@@ -19,7 +19,8 @@ pub(crate) fn sound() -> Vec<GlbFile> {
     let mut sparse = plain.clone();
     let indices = sparse.add_accessor(vec![1, 3], 2, 5121, "SCALAR");
     let values = sparse.add_accessor(floats(&[[4.0, 0.0, 0.0], [0.0, 0.0, 4.0]]), 2, 5126, "VEC3");
-    let replaced = json!({ "count": 2, "indices": { "bufferView": indices, "componentType": 5121 }, "values": { "bufferView": values } });
+    let indices = json!({ "bufferView": indices, "componentType": 5121 });
+    let replaced = json!({ "count": 2, "indices": indices, "values": { "bufferView": values } });
     let mut strip = plain.clone();
     let corners = strip.add_accessor(
         [0_u32, 1, 2, 3].iter().flat_map(|i| i.to_le_bytes()).collect(),

@@ -13,12 +13,13 @@ pub(super) fn section(targets: &[TargetSummary]) -> Markup {
             h3 { (heading) }
             (scrolled(heading, html! { table {
                 thead { tr {
-                    th { "target" } th { "echo, dB" } th { "range, ± m" } th { "velocity, ± m/s" } th { "across, ± m" }
+                    th { "target" } th { "echo, dB" } th { "range, ± m" }
+                    th { "velocity, ± m/s" } th { "across, ± m" }
                 } }
                 tbody { @for (id, error) in &known { (row(id, error)) } }
             } }))
-            p { "Numerical error relative to the target's own echo, and the standard errors that it causes in the estimates, "
-                "to first order. Noise and what the model leaves out add to them." }
+            p { "Numerical error relative to the target's own echo, and the standard errors that it causes in "
+                "the estimates, to first order. Noise and what the model leaves out add to them." }
         }
     }
 }

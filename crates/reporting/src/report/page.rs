@@ -38,8 +38,8 @@ pub(super) fn page(summary: &Summary, figures: &Figures, making: &Making) -> Str
                 p { "Frames " (FRAMES_TOLD) " to " (frames.len() - 1) " are in "
                     a href="summary.json" { "summary.json" } "." }
             }
-            footer { "Seed " (summary.seed) ". Ranges and velocities of the truth are power-weighted means over each "
-                "target's echo; signs, axes and units as in docs/conventions.md." }
+            footer { "Seed " (summary.seed) ". Ranges and velocities of the truth are power-weighted means "
+                "over each target's echo; signs, axes and units as in docs/conventions.md." }
         },
     )
 }

@@ -10,8 +10,8 @@ pub(super) fn section(plan: &PlanFigures) -> Markup {
     let heading = "Plan of the physics";
     html! {
         h3 { (heading) }
-        p { "The " (plan.first_line()) ". Left out in all: " (level(Some(plan.left_out_db))) " of the echo; integrals, cells and "
-            "echo: " (level(Some(plan.numerical_db))) "." }
+        p { "The " (plan.first_line()) ". Left out in all: " (level(Some(plan.left_out_db)))
+            " of the echo; integrals, cells and echo: " (level(Some(plan.numerical_db))) "." }
         (scrolled(heading, html! { table {
             thead { tr { th { "Part" } th { "Share of the echo" } th { "In this run" } } }
             tbody { @for part in &plan.parts { (row(part)) } }

@@ -52,7 +52,8 @@ pub(super) fn made(making: &Making, written: &[&str]) -> Markup {
                 @if number > 0 { ", " }
                 a href=(name) { (name) } " (" (what) ")"
             }
-            ". Read artifacts with " code { (making.program) " inspect" } " and " code { (making.program) " export" } "."
+            ". Read artifacts with " code { (making.program) " inspect" }
+            " and " code { (making.program) " export" } "."
         }
     }
 }

@@ -54,8 +54,8 @@ fn lead(frames: &[CommonFrame]) -> String {
 fn radars(radars: &[OneOfRadars]) -> Markup {
     let table = html! { table {
         thead { tr {
-            th { "radar" } th { "found" } th { "missed" } th { "false objects" } th { "points" } th { "largest error, dB" }
-            th { "seconds" }
+            th { "radar" } th { "found" } th { "missed" } th { "false objects" } th { "points" }
+            th { "largest error, dB" } th { "seconds" }
         } }
         tbody {
             @for radar in radars {
@@ -109,7 +109,9 @@ fn nobodys(number: usize, summary: &RadarsSummary, own: &[(&str, &Summary)]) -> 
 fn targets(number: usize, frame: &CommonFrame) -> Markup {
     let by = |names: &[String]| if names.is_empty() { "–".to_owned() } else { names.join(", ") };
     let table = html! { table {
-        thead { tr { th { "target" } th.words { "true class" } th.words { "found by" } th.words { "missed by" } } }
+        thead { tr {
+            th { "target" } th.words { "true class" } th.words { "found by" } th.words { "missed by" }
+        } }
         tbody {
             @for target in &frame.targets {
                 tr {

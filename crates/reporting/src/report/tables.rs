@@ -28,7 +28,9 @@ pub(super) fn radar(radar: &RadarSummary, frames: &[FrameSummary]) -> Markup {
     ];
     html! {
         h3 { "Radar" }
-        (scrolled("Radar", html! { table { tbody { @for (name, value) in rows { tr { th { (name) } td { (value) } } } } } }))
+        (scrolled("Radar", html! { table { tbody {
+            @for (name, value) in rows { tr { th { (name) } td { (value) } } }
+        } } }))
     }
 }
 
@@ -69,9 +71,10 @@ pub(super) fn scene(frames: &[FrameSummary]) -> Markup {
 pub(super) fn targets(targets: &[TargetSummary]) -> Markup {
     let table = html! { table {
         thead { tr {
-            th { "target" } th { "range, m" } th { "true" } th { "error" } th { "velocity, m/s" } th { "true" } th { "error" }
-            th { "x, m" } th { "true" } th { "error" } th { "lane" } th { "true" } th { "SNR, dB" } th { "points" }
-            th { "share marked as ghost" }
+            th { "target" } th { "range, m" } th { "true" } th { "error" }
+            th { "velocity, m/s" } th { "true" } th { "error" }
+            th { "x, m" } th { "true" } th { "error" } th { "lane" } th { "true" }
+            th { "SNR, dB" } th { "points" } th { "share marked as ghost" }
         } }
         tbody { @for target in targets { (target_row(target)) } }
     } };
@@ -110,7 +113,8 @@ pub(super) fn classes(targets: &[TargetSummary]) -> Markup {
     let vehicles = targets.iter().filter_map(|target| Some((target, target.class?)));
     let table = html! { table {
         thead { tr {
-            th { "target" } th.words { "true class" } th.words { "predicted class" } th.words { "predicted by track" }
+            th { "target" } th.words { "true class" } th.words { "predicted class" }
+            th.words { "predicted by track" }
             @for class in Class::ALL { th.words { "probability of " (class.name()) } }
         } }
         tbody { @for (target, class) in vehicles { (class_row(target, class)) } }

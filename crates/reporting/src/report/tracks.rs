@@ -36,8 +36,9 @@ pub(super) fn section(metrics: &Metrics) -> Markup {
         section {
             h2 { "Objects and tracks" }
             (scrolled("Objects and tracks", table))
-            p { "GOSPA (α = 2) and OSPA with p = 2 and a cut-off of " (rounded(tracks.cutoff_m, 1)) " m for tracks, from the middles of "
-                "their boxes, and " (rounded(objects.cutoff_m, 1)) " m for objects, from the nearest part of a body." }
+            p { "GOSPA (α = 2) and OSPA with p = 2 and a cut-off of " (rounded(tracks.cutoff_m, 1))
+                " m for tracks, from the middles of their boxes, and " (rounded(objects.cutoff_m, 1))
+                " m for objects, from the nearest part of a body." }
         }
     }
 }

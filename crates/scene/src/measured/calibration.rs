@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! tx,rx,gain_db,phase_deg     the first line
-//! 0,0,1.25,-14.2              one transmit–receive pair a line, counted from 0, in any order; # begins a comment
+//! 0,0,1.25,-14.2              one transmit–receive pair a line, counted from 0, in any order; # comments
 //! ```
 
 use crate::measured::table_text;

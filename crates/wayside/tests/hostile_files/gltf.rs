@@ -18,7 +18,8 @@ fn document(buffers: Value, bytes: usize, count: usize, accessors: usize) -> Val
     json!({
         "asset": { "version": "2.0" }, "buffers": buffers,
         "bufferViews": [{ "buffer": 0, "byteLength": bytes }],
-        "accessors": vec![accessor; accessors], "meshes": [{ "primitives": primitives }], "nodes": [{ "mesh": 0 }],
+        "accessors": vec![accessor; accessors], "meshes": [{ "primitives": primitives }],
+        "nodes": [{ "mesh": 0 }],
     })
 }
 

@@ -57,8 +57,8 @@ impl Samplings {
     pub(super) fn json(&self) -> Value {
         let told = |axis: Option<Sampling>, name: &str| {
             axis.map(|s| {
-                json!({ name: s.values, "needed": s.needed, "unambiguous_m": s.unambiguous_m, "body_m": s.body_m,
-                    "ambiguous": s.is_ambiguous() })
+                json!({ name: s.values, "needed": s.needed, "unambiguous_m": s.unambiguous_m,
+                    "body_m": s.body_m, "ambiguous": s.is_ambiguous() })
             })
         };
         json!({ "range": told(self.range, "frequencies"), "cross_range": told(self.cross_range, "azimuths") })
