@@ -47,12 +47,7 @@ pub struct General {
     pub threads: Option<u16>,
     /// Memory limit for tracing; frames that would exceed it are refused with figures [default: nine tenths
     /// of the free memory].
-    #[arg(
-        long,
-        global = true,
-        value_name = "MIB",
-        value_parser = clap::value_parser!(u64).range(1..=1 << 24)
-    )]
+    #[arg(long, global = true, value_name = "MIB", value_parser = clap::value_parser!(u64).range(1..=1 << 24))]
     pub memory_limit: Option<u64>,
     /// Suppress progress and notes.
     #[arg(long, global = true)]
@@ -164,12 +159,7 @@ pub(crate) struct CacheArguments {
     #[arg(long, value_name = "DIR")]
     pub(crate) cache: Option<PathBuf>,
     /// Maximum size of the cache, MiB; the oldest frames are removed first.
-    #[arg(
-        long,
-        value_name = "MIB",
-        default_value_t = 8192,
-        value_parser = clap::value_parser!(u64).range(..=1 << 40)
-    )]
+    #[arg(long, value_name = "MIB", default_value_t = 8192, value_parser = clap::value_parser!(u64).range(..=1 << 40))]
     pub(crate) cache_limit_mib: u64,
 }
 

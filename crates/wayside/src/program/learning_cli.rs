@@ -115,12 +115,7 @@ pub struct ProtocolsArguments {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) iterations: Option<u32>,
     /// Number of trainings, with the seeds 1, 2, ...
-    #[arg(
-        long,
-        value_name = "N",
-        default_value_t = 5,
-        value_parser = clap::value_parser!(u64).range(1..=100)
-    )]
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u64).range(1..=100))]
     pub(crate) seeds: u64,
     /// Add learning curves: train on parts of the scenes and of the vehicles too.
     #[arg(long)]

@@ -72,13 +72,11 @@ impl Answer {
         let frequency_hz: Vec<f64> = arguments.freq_ghz.values.iter().map(|f| f * 1e9).collect();
         let spread: Vec<f64> = self.node_spread.iter().map(|e| db_from_amplitude(*e)).collect();
         json!({
-            "axes": { "freq_hz": frequency_hz, "el_deg": arguments.el_deg.values,
-                "az_deg": arguments.az_deg.values },
+            "axes": { "freq_hz": frequency_hz, "el_deg": arguments.el_deg.values, "az_deg": arguments.az_deg.values },
             "unit": "m",
             "settings": settings(arguments),
-            "mesh": { "triangles_read": s.triangles_read, "degenerate": s.degenerate,
-                "open_edges": s.open_edges, "triangles_traced": mesh.triangles.len(),
-                "size_m": mesh.size_m() },
+            "mesh": { "triangles_read": s.triangles_read, "degenerate": s.degenerate, "open_edges": s.open_edges,
+                "triangles_traced": mesh.triangles.len(), "size_m": mesh.size_m() },
             "seconds": { "load": took.load, "build": self.build_seconds, "trace": self.trace_seconds,
                 "integrate": self.integrate_seconds, "check": self.check_seconds, "total": took.total,
                 "processor_total": took.processor_total, "counted": took.counted.name() },
@@ -91,11 +89,8 @@ impl Answer {
             "model_error_db": ModelErrorFigures::of(&self.model_error),
             "node_spread_db": spread,
             "dropped_at_most_db": self.dropped_at_most.map(db_from_amplitude),
-            "mirrors": self.mirrors.map(|m| {
-                json!({ "least_area_m2": m.least_area_m2, "traced_again": m.traced_again })
-            }),
-            "far_field_from_m":
-                arguments.range_m.is_infinite().then(|| far_field_from_m(mesh, &frequency_hz)),
+            "mirrors": self.mirrors.map(|m| json!({ "least_area_m2": m.least_area_m2, "traced_again": m.traced_again })),
+            "far_field_from_m": arguments.range_m.is_infinite().then(|| far_field_from_m(mesh, &frequency_hz)),
             "far_field_error": self.far_field.as_ref().map(far_field_error),
         })
     }
@@ -191,14 +186,12 @@ fn settings(arguments: &RcsArguments) -> Value {
     // JSON is text; a path may not be.
     let materials = arguments.materials.as_ref().map(|file| file.to_string_lossy());
     json!({
-        "mesh": arguments.mesh.to_string_lossy(), "range_m": finite(arguments.range_m),
-        "pol": word_of(&POLARIZATIONS, arguments.pol), "bounces": arguments.bounces(),
-        "method": format!("{:?}", arguments.method).to_lowercase(), "edges": word_of(&EDGES, arguments.edges),
+        "mesh": arguments.mesh.to_string_lossy(), "range_m": finite(arguments.range_m), "pol": word_of(&POLARIZATIONS, arguments.pol),
+        "bounces": arguments.bounces(), "method": format!("{:?}", arguments.method).to_lowercase(), "edges": word_of(&EDGES, arguments.edges),
         "nodes": word_of(&NODES, arguments.nodes()), "surface": word_of(&SURFACES, arguments.surface),
         "sides": word_of(&SIDES, arguments.sides),
         "materials": materials, "transmission": word_of(&TRANSMISSION, arguments.transmission),
-        "accuracy_db": arguments.accuracy_db(), "rx_az_deg": arguments.rx_az_deg,
-        "rx_el_deg": arguments.rx_el_deg, "rx_range_m": arguments.rx_range_m.map(finite),
-        "density_per_wavelength": arguments.density(), "unit_scale": arguments.unit_scale,
+        "accuracy_db": arguments.accuracy_db(), "rx_az_deg": arguments.rx_az_deg, "rx_el_deg": arguments.rx_el_deg,
+        "rx_range_m": arguments.rx_range_m.map(finite), "density_per_wavelength": arguments.density(), "unit_scale": arguments.unit_scale,
     })
 }
