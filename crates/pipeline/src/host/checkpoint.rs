@@ -34,11 +34,11 @@ pub struct Checkpoint {
 /// Part of the finished aspects that the next run of the same work finds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum KeptWork {
-    /// None of them, or none is finished yet.
+    /// No aspect is kept, or none is finished yet.
     Nothing,
-    /// Those that were finished before the disk was full.
+    /// Aspects that were finished before the disk was full.
     UntilFull,
-    /// All of them.
+    /// Every finished aspect.
     All,
 }
 

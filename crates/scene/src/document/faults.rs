@@ -18,9 +18,9 @@ pub(crate) const NOWHERE: usize = usize::MAX;
 /// Treatment of keys that a table does not have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum FurtherKeys {
-    /// They are unknown.
+    /// Further keys are unknown.
     Refused,
-    /// They are left to other readers, unless one is another spelling of a key that is not there.
+    /// Further keys are left to other readers, unless one is another spelling of a key that is not there.
     Allowed,
 }
 

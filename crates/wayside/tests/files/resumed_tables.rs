@@ -138,13 +138,13 @@ fn command_on_full_disk(place: &Workplace, words: &str, most_kib: u32) -> Comman
     command
 }
 
-/// Exit code and words of such a command.
+/// Exit code and words of a command on a full disk.
 fn on_full_disk(place: &Workplace, words: &str, most_kib: u32) -> (Option<i32>, String) {
     let output = command_on_full_disk(place, words, most_kib).output().unwrap();
     (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
 }
 
-/// Last line of such a command, which is interrupted as soon as it has said that its disk is full.
+/// Last line of a command that is interrupted as soon as it has said that its disk is full.
 fn last_words_on_full_disk(place: &Workplace, words: &str, most_kib: u32) -> String {
     let mut command = command_on_full_disk(place, words, most_kib);
     let mut child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
