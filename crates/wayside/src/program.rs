@@ -12,8 +12,11 @@ mod out_endings;
 #[cfg(feature = "classifier")]
 mod learning_cli;
 mod suggestion;
+mod numbers;
 pub mod values;
 mod option_words;
+#[cfg(test)]
+mod refused_numbers;
 
 use cli::General;
 use means::Means;

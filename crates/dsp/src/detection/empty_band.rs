@@ -9,7 +9,7 @@ use crate::detection::cfar::{DETECTED, TESTED};
 use crate::spectrum::division::Division;
 use crate::spectrum::doppler_bands::band_cycles;
 use crate::spectrum::map_transform::RangeDoppler;
-use crate::spectrum::noncoherent::sum_over_channels;
+use crate::spectrum::noncoherent::{power, sum_over_channels};
 use artifact::radar::Multiplexing;
 use artifact::rdm::RdmFrame;
 use num_complex::Complex32;
@@ -48,15 +48,15 @@ pub(crate) fn fold_is_certain(
     if multiplexing != Multiplexing::Ddm {
         return false;
     }
-    let power = |tx: usize, row: usize| -> f64 {
+    let of_band = |tx: usize, row: usize| -> f64 {
         let channels = tx * receivers..(tx + 1) * receivers;
-        channels.map(|c| f64::from(map.values[(c * chirps + row) * samples + column].norm_sqr())).sum()
+        channels.map(|c| power(map.values[(c * chirps + row) * samples + column])).sum()
     };
     // Transmitter 0 seen one band below is the empty band; rounding to a whole row is negligible against 6
     // dB.
     let band_rows = (chirps as f64 / (transmitters + 1) as f64).round() as usize;
-    let empty = power(0, (row + chirps - band_rows % chirps) % chirps);
-    (0..transmitters).all(|tx| 4.0 * empty < power(tx, row))
+    let empty = of_band(0, (row + chirps - band_rows % chirps) % chirps);
+    (0..transmitters).all(|tx| 4.0 * empty < of_band(tx, row))
 }
 
 fn empty_band(transform: &RangeDoppler, samples: &[Complex32]) -> Vec<f64> {
@@ -70,4 +70,40 @@ fn empty_band(transform: &RangeDoppler, samples: &[Complex32]) -> Vec<f64> {
         sum.iter_mut().zip(map).for_each(|(total, power)| *total += power);
     }
     sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Squares below 1.2e-38 lose digits in single precision, and those below 1.4e-45 are 0.
+    #[test]
+    fn a_fold_is_as_certain_however_faint_the_echo_is() {
+        let division = Division {
+            multiplexing: Multiplexing::Ddm,
+            transmitters: 1,
+            receivers: 1,
+            slots: 1,
+            map_channels: 1,
+        };
+        for amplitude in [1e-8_f32, 1e-20, 1e-24, 1e-30] {
+            for (below, is_certain) in [(4.0, true), (1.5, false)] {
+                // Of four rows the bands have two each: the empty band of row 0 is row 2.
+                let mut values = vec![Complex32::ZERO; 4];
+                values[0] = Complex32::new(amplitude, 0.0);
+                values[2] = Complex32::new(0.0, amplitude / below);
+                let map = RdmFrame {
+                    index: 0,
+                    time_s: 0.0,
+                    values,
+                    mask: vec![],
+                    detections: 0,
+                    cells: 0,
+                    assumed_floor: None,
+                };
+                let found = fold_is_certain(&division, &map, [4, 1], [0, 0]);
+                assert_eq!(found, is_certain, "{amplitude:e}, 1/{below} in the empty band");
+            }
+        }
+    }
 }

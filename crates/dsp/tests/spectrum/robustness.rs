@@ -35,6 +35,20 @@ fn samples_too_large_for_single_precision_maps_are_named() {
     assert!(matches!(mapped(&header, &frame).unwrap_err(), DspError::ValueNotFinite { .. }));
 }
 
+/// Powers are taken in double precision: of single precision's smallest normal amplitude it is 1e-76.
+#[test]
+fn samples_whose_squares_single_precision_does_not_hold_show_the_same_cells() {
+    let (header, frame) = small();
+    let seen = mapped(&header, &frame).unwrap();
+    assert!(seen.detections > 0);
+    // 2⁻⁵⁰ is exact, and leaves amplitudes of 1e-23.
+    let samples = frame.samples.iter().map(|sample| sample * 2.0_f32.powi(-50)).collect();
+    let faint = mapped(&header, &CubeFrame { samples, ..frame }).unwrap();
+    assert_eq!(faint.mask, seen.mask);
+    let power = power_map(&header, &faint).unwrap();
+    assert!(power.iter().any(|power| *power > 0.0));
+}
+
 #[test]
 fn a_value_of_a_map_that_is_no_number_is_named_by_frame_and_cell() {
     let (header, mut frame) = small();

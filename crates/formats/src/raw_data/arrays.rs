@@ -1,14 +1,14 @@
 //! Frames of NumPy arrays: samples in a cube's shape, or range–azimuth–Doppler tensors.
 
-use crate::radar_cloud::import::frames_of;
-use crate::raw_data::{Imported, IntegerStep, LIMIT_BYTES, npy, raddet};
+use crate::raw_data::raddet::TensorInverse;
+use crate::raw_data::{Imported, IntegerStep, LIMIT_BYTES, npy};
 use artifact::bounded;
 use artifact::cube::CubeHeader;
 use ndarray::{ArrayD, Axis};
 use num_complex::Complex32;
 use pipeline::host::failure::Failure;
 use pipeline::host::progress;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Ending of an array's file.
 pub const ENDINGS: [&str; 1] = ["npy"];
@@ -16,15 +16,15 @@ pub const ENDINGS: [&str; 1] = ["npy"];
 /// Axes of samples: frame, channel, chirp, sample.
 const AXES: usize = 4;
 
-/// Reads the frames of a file, or of a folder in the order of its files' names: four axes are `[frame,
-/// channel, chirp, sample]`, three a tensor of RADDet, which is one frame.
+/// Reads the frames of files in their order: four axes are `[frame, channel, chirp, sample]`, three a tensor
+/// of RADDet, which is one frame.
 ///
 /// # Errors
 /// Files that are not such arrays, do not have the sizes of the header's radar, or are of different kinds.
-pub fn read(asked: &Path, header: &CubeHeader) -> Result<Imported, Failure> {
-    let files = frames_of(asked, &ENDINGS)?;
+pub fn read(files: &[PathBuf], header: &CubeHeader) -> Result<Imported, Failure> {
     let mut imported = Imported { frames: vec![], step: IntegerStep::Floats };
-    for (index, file) in progress::counted("frames", &files, files.len()).enumerate() {
+    let mut inverse = None;
+    for (index, file) in progress::counted("frames", files, files.len()).enumerate() {
         let array = values(file)?;
         let step = step_of(&array);
         if index > 0 && step != imported.step {
@@ -34,11 +34,22 @@ pub fn read(asked: &Path, header: &CubeHeader) -> Result<Imported, Failure> {
         imported.step = step;
         let frames = match array.ndim() {
             AXES => frames_of_samples(&array, header.shape()),
-            _ => raddet::samples(&array, &header.in_frame(index as u32)).map(|frame| vec![frame]),
+            _ => planned(&mut inverse, header)
+                .and_then(|inverse| inverse.samples(&array, index))
+                .map(|frame| vec![frame]),
         };
         imported.frames.extend(frames.map_err(|failure| failure.about(file))?);
     }
     Ok(imported)
+}
+
+/// The inverse of the radar's tensors, planned at the first of them.
+fn planned<'a>(
+    inverse: &'a mut Option<TensorInverse>,
+    header: &CubeHeader,
+) -> Result<&'a TensorInverse, Failure> {
+    let planned = inverse.take().map_or_else(|| TensorInverse::new(header), Ok)?;
+    Ok(inverse.insert(planned))
 }
 
 fn step_of(array: &ArrayD<Complex32>) -> IntegerStep {

@@ -2,14 +2,13 @@
 //! transmitter]`.
 
 use crate::mat_file::{self, MatError};
-use crate::radar_cloud::import::frames_of;
 use crate::raw_data::{Imported, IntegerStep, LIMIT_BYTES};
 use artifact::bounded;
 use artifact::cube::CubeHeader;
 use num_complex::Complex32;
 use pipeline::host::failure::Failure;
 use pipeline::host::progress;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Ending of a frame's file.
 pub const ENDINGS: [&str; 1] = ["mat"];
@@ -25,10 +24,12 @@ pub(crate) fn shape(header: &CubeHeader) -> [usize; 4] {
     [samples, chirps, receivers, channels / receivers]
 }
 
-/// Reads the frames of a file, or of a folder in the order of its files' names.
-pub fn read(asked: &Path, header: &CubeHeader) -> Result<Imported, Failure> {
-    let files = frames_of(asked, &ENDINGS)?;
-    let counted = progress::counted("frames", &files, files.len());
+/// Reads the frames of files, one each, in their order.
+///
+/// # Errors
+/// Files that are not such arrays, or do not have the sizes of the header's radar.
+pub fn read(files: &[PathBuf], header: &CubeHeader) -> Result<Imported, Failure> {
+    let counted = progress::counted("frames", files, files.len());
     let frames: Result<Vec<_>, _> = counted.map(|file| of_file(file, header)).collect();
     Ok(Imported { frames: frames?, step: IntegerStep::Floats })
 }

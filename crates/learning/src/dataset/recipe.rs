@@ -2,6 +2,7 @@
 
 mod keys;
 mod error;
+mod manifest;
 mod models;
 mod document;
 mod rules;

@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 const MAGIC: &[u8] = b"WAYSIDE CHECKPOINT 1\n";
 const CHECKSUM_BYTES: usize = 16;
@@ -28,7 +28,18 @@ pub struct Checkpoint {
     place: PathBuf,
     head: Vec<u8>,
     kept: BTreeMap<Piece, Vec<u8>>,
-    state: Mutex<State>,
+    state: Arc<Mutex<State>>,
+}
+
+/// Part of the finished aspects that the next run of the same work finds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum KeptWork {
+    /// No aspect is kept, or none is finished yet.
+    Nothing,
+    /// Aspects that were finished before the disk was full.
+    UntilFull,
+    /// Every finished aspect.
+    All,
 }
 
 /// State of the file that receives the records.
@@ -60,7 +71,7 @@ impl Checkpoint {
             place: PathBuf::from(name),
             head: [MAGIC, key.as_bytes(), b"\n"].concat(),
             kept: BTreeMap::new(),
-            state: Mutex::new(State::NotYet),
+            state: Arc::new(Mutex::new(State::NotYet)),
         };
         // Opening a FIFO would block, and a link leads to a file of somebody else.
         let is_plain = std::fs::symlink_metadata(&checkpoint.place).is_ok_and(|about| about.is_file());
@@ -68,7 +79,7 @@ impl Checkpoint {
             is_plain.then(|| File::options().read(true).write(true).open(&checkpoint.place).ok()).flatten();
         if let Some(file) = file {
             let state = checkpoint.take_up(file).unwrap_or_else(|why| checkpoint.give_up(&why));
-            checkpoint.state = Mutex::new(state);
+            *locked(&checkpoint.state) = state;
         }
         checkpoint
     }
@@ -79,9 +90,20 @@ impl Checkpoint {
         self.kept.keys().filter(|piece| Some(piece.pass) == last).count()
     }
 
+    /// Watch that tells, whenever it is asked, which part of the finished work the next run finds.
+    pub fn watch(&self) -> impl Fn() -> KeptWork + Send + 'static + use<> {
+        let (state, head_bytes) = (Arc::clone(&self.state), self.head.len() as u64);
+        move || match &*locked(&state) {
+            State::NotYet | State::GivenUp => KeptWork::Nothing,
+            State::Open(records) if records.whole <= head_bytes => KeptWork::Nothing,
+            State::Open(_) => KeptWork::All,
+            State::Full(_) => KeptWork::UntilFull,
+        }
+    }
+
     /// Removes the file once the work is done and its result written.
     pub fn finish(self) {
-        let state = self.state.into_inner().unwrap_or_else(PoisonError::into_inner);
+        let state = std::mem::replace(&mut *locked(&self.state), State::NotYet);
         if let State::Open(_locked) | State::Full(_locked) = state {
             remove(&self.place);
         }
@@ -161,6 +183,10 @@ impl Checkpoint {
     }
 }
 
+fn locked(state: &Mutex<State>) -> MutexGuard<'_, State> {
+    state.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
 /// A file that is left costs only its room: it is read or replaced.
 fn remove(place: &Path) {
     let _ = std::fs::remove_file(place);
@@ -172,7 +198,7 @@ impl Keeper for Checkpoint {
     }
 
     fn keep(&self, piece: Piece, bytes: &[u8]) {
-        let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut state = locked(&self.state);
         if matches!(*state, State::NotYet) {
             *state = self.create().map_or_else(|why| self.give_up(&why), State::Open);
         }
@@ -294,6 +320,39 @@ mod tests {
         let out = folder.path().join("s.npy");
         assert!(std::process::Command::new("mkfifo").arg(beside(&out)).status().unwrap().success());
         assert_eq!(kept(&out, "key"), [false; 3]);
+    }
+
+    #[test]
+    fn the_part_that_the_next_run_finds_is_told_at_any_time() {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("s.npy");
+        let checkpoint = Checkpoint::open(&out, "key");
+        let found = checkpoint.watch();
+        assert_eq!(found(), KeptWork::Nothing, "no aspect is finished");
+        checkpoint.keep(PIECES[0], b"first");
+        assert_eq!(found(), KeptWork::All);
+        let other = Checkpoint::open(&out, "key");
+        other.keep(PIECES[1], b"second");
+        assert_eq!(other.watch()(), KeptWork::Nothing, "the first has the file");
+        let full = |state: State| match state {
+            State::Open(records) => checkpoint.fill(records, &std::io::Error::other("full")),
+            closed => closed,
+        };
+        let open = std::mem::replace(&mut *locked(&checkpoint.state), State::GivenUp);
+        *locked(&checkpoint.state) = full(open);
+        assert_eq!(found(), KeptWork::UntilFull);
+        checkpoint.finish();
+        assert_eq!(found(), KeptWork::Nothing, "the result is written");
+    }
+
+    #[test]
+    fn of_other_work_in_the_file_the_next_run_finds_nothing() {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("s.npy");
+        written(&out);
+        assert_eq!(Checkpoint::open(&out, "other").watch()(), KeptWork::Nothing);
+        written(&out);
+        assert_eq!(Checkpoint::open(&out, "key").watch()(), KeptWork::All);
     }
 
     #[test]

@@ -304,20 +304,5 @@ fn false_object(object: &FalseObject) -> String {
     let velocity = signed(object.radial_velocity_mps, 1);
     let text =
         format!("  false object at {range_m:.2} m ({x_m:.1}, {y_m:.1}), {velocity} m/s, {snr_db:.0} dB: ");
-    text.replace('-', "−") + &cause(object)
-}
-
-fn cause(object: &FalseObject) -> String {
-    let bodies = object.bodies.join(" and ");
-    let bounces = object.bounces.map_or(String::new(), |n| format!(", {n} bounces"));
-    match object.cause {
-        Cause::Ghost => format!("ghost by {bodies}{bounces}"),
-        Cause::Split => format!("split off {bodies}, which has an object"),
-        Cause::Misplaced => format!("echo of {bodies}, too far from it in position or velocity{bounces}"),
-        Cause::Clutter if object.bodies.is_empty() => "clutter: the road".into(),
-        Cause::Clutter => format!("clutter: {bodies}"),
-        Cause::Interference => "interference by another radar".into(),
-        Cause::Receiver => "receiver: ADC or phase noise".into(),
-        cause @ (Cause::Noise | Cause::Unknown) => cause.name().into(),
-    }
+    text.replace('-', "−") + &object.cause_in_words()
 }

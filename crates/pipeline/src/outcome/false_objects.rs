@@ -35,6 +35,28 @@ pub struct FalseObject {
     pub bounces: Option<u8>,
 }
 
+impl FalseObject {
+    /// The cause in words, with the bodies and bounces that it names: the same for a console and a page.
+    pub fn cause_in_words(&self) -> String {
+        let bodies = self.bodies.join(" and ");
+        let bounces = match self.bounces {
+            None => String::new(),
+            Some(1) => ", 1 bounce".into(),
+            Some(many) => format!(", {many} bounces"),
+        };
+        match self.cause {
+            Cause::Ghost => format!("multipath ghost by {bodies}{bounces}"),
+            Cause::Split => format!("split off {bodies}, which already has an object"),
+            Cause::Misplaced => format!("echo of {bodies}, too far from it in position or velocity{bounces}"),
+            Cause::Clutter if bodies.is_empty() => "clutter: the road's own backscatter".into(),
+            Cause::Clutter => format!("clutter: {bodies}"),
+            Cause::Interference => "interference by another radar".into(),
+            Cause::Receiver => "receiver: ADC or phase noise".into(),
+            cause @ (Cause::Noise | Cause::Unknown) => cause.name().into(),
+        }
+    }
+}
+
 /// Cause of an object that belongs to no body.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -186,4 +208,31 @@ fn of_one_body(truth: &FrameTruth, object: &Object, label: &Label) -> Made {
         (false, _) => Cause::Misplaced,
     };
     Made::by(cause, body, bounces)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cause_names_the_bodies_and_the_bounces_that_tell_it() {
+        let of = |cause, bodies: &[&str], bounces| {
+            let bodies = bodies.iter().map(|id| (*id).to_owned()).collect();
+            FalseObject { cause, bodies, bounces, ..FalseObject::default() }.cause_in_words()
+        };
+        for (told, words) in [
+            (of(Cause::Ghost, &["a", "b"], Some(2)), "multipath ghost by a and b, 2 bounces"),
+            (of(Cause::Split, &["a"], Some(1)), "split off a, which already has an object"),
+            (
+                of(Cause::Misplaced, &["a"], Some(1)),
+                "echo of a, too far from it in position or velocity, 1 bounce",
+            ),
+            (of(Cause::Clutter, &["rail"], Some(1)), "clutter: rail"),
+            (of(Cause::Clutter, &[], None), "clutter: the road's own backscatter"),
+            (of(Cause::Noise, &[], None), "noise"),
+            (of(Cause::Unknown, &[], None), "unknown"),
+        ] {
+            assert_eq!(told, words);
+        }
+    }
 }

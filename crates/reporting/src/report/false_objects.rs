@@ -50,30 +50,11 @@ fn table(name: &str, objects: &[FalseObject]) -> Markup {
 fn row(object: &FalseObject) -> Markup {
     html! { tr {
         td { "#" (object.object) }
-        td.words { (cause(object)) }
+        td.words { (object.cause_in_words()) }
         td { (rounded(object.range_m, 2)) } td { (rounded(object.radial_velocity_mps, 3)) }
         td { (rounded(object.x_m, 2)) } td { (rounded(object.y_m, 2)) } td { (rounded(object.snr_db, 1)) }
         td { (rounded(object.ghost_share, 2)) }
     } }
-}
-
-/// The cause in words, with the bodies and bounces that it names.
-fn cause(object: &FalseObject) -> String {
-    let bodies = object.bodies.join(", ");
-    match object.cause {
-        Cause::Ghost => match object.bounces {
-            Some(n) => format!("multipath ghost: {bodies}, {n} bounces"),
-            None => format!("multipath ghost: {bodies}"),
-        },
-        Cause::Clutter if bodies.is_empty() => "clutter: the road's own backscatter".into(),
-        Cause::Clutter => format!("clutter: {bodies}"),
-        Cause::Split => format!("another part of {bodies}, which already has an object"),
-        Cause::Misplaced => format!("echo of {bodies}, too far from it in position or velocity"),
-        Cause::Noise => "noise".into(),
-        Cause::Interference => "interference by another radar".into(),
-        Cause::Receiver => "receiver: ADC or phase noise".into(),
-        Cause::Unknown => "unknown".into(),
-    }
 }
 
 #[cfg(test)]
@@ -90,7 +71,7 @@ mod tests {
             ..FalseObject::default()
         };
         let text = section("", &[of(3, Cause::Ghost, &["bus-1", "truck-1"], 2)], &[]).into_string();
-        for said in ["#3", "multipath ghost: bus-1, truck-1, 2 bounces", "<td>–</td>"] {
+        for said in ["#3", "multipath ghost by bus-1 and truck-1, 2 bounces", "<td>–</td>"] {
             assert!(text.contains(said), "{said}: {text}");
         }
         assert!(!text.contains("the radar's own word"), "no share is told: {text}");

@@ -15,12 +15,22 @@ const TOLD: usize = 100;
 /// Byte of a value without a position in the file: one that a change puts into a table which the file omits.
 pub(crate) const NOWHERE: usize = usize::MAX;
 
+/// Treatment of keys that a table does not have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum FurtherKeys {
+    /// Further keys are unknown.
+    Refused,
+    /// Further keys are left to other readers, unless one is another spelling of a key that is not there.
+    Allowed,
+}
+
 /// Broken rules of one file. Noting one takes the same however many there are.
 pub struct Faults<'s> {
     file: &'s Path,
     text: &'s str,
     /// All tables that such a file may hold.
     tables: &'static [Table],
+    further_keys: FurtherKeys,
     /// Bytes at which lines begin, found when first needed.
     lines: OnceCell<Vec<usize>>,
     syntax: RefCell<First>,
@@ -58,11 +68,22 @@ impl<'s> Faults<'s> {
     /// Nothing is wrong yet with a text that may hold these tables.
     pub fn of_tables(file: &'s Path, text: &'s str, tables: &'static [Table]) -> Self {
         let (syntax, others) = (RefCell::default(), RefCell::default());
-        Self { file, text, tables, lines: OnceCell::new(), syntax, others }
+        let further_keys = FurtherKeys::Refused;
+        Self { file, text, tables, further_keys, lines: OnceCell::new(), syntax, others }
+    }
+
+    /// Nothing is wrong yet with a text that may hold these tables, and keys of others in them and beside
+    /// them.
+    pub fn of_open_tables(file: &'s Path, text: &'s str, tables: &'static [Table]) -> Self {
+        Self { further_keys: FurtherKeys::Allowed, ..Self::of_tables(file, text, tables) }
     }
 
     pub(crate) fn tables(&self) -> &'static [Table] {
         self.tables
+    }
+
+    pub(crate) fn further_keys(&self) -> FurtherKeys {
+        self.further_keys
     }
 
     /// The document that the text says, as far as it is TOML; none where it is too deep to be walked. Noted

@@ -1,7 +1,7 @@
 //! A scene file as tables with positions; broken rules are noted and reading continues.
 
 use crate::document::errors::{Place, Rule};
-use crate::document::faults::Faults;
+use crate::document::faults::{Faults, FurtherKeys};
 use crate::document::keys;
 use crate::document::keys::key::Table;
 use crate::document::synonyms;
@@ -45,7 +45,7 @@ impl<'d> Section<'d> {
     }
 
     /// Opens the tables of an array of tables, each named by its `id` or its number.
-    pub(crate) fn sections(&self, known: &'static Table) -> Vec<Section<'d>> {
+    pub fn sections(&self, known: &'static Table) -> Vec<Section<'d>> {
         let Some(value) = self.find(key_of(known)) else { return vec![] };
         let DeValue::Array(array) = value.get_ref() else {
             let expected = "an array of tables, each under a heading in double brackets";
@@ -98,11 +98,27 @@ impl<'d> Section<'d> {
     fn checked(self) -> Self {
         for (key, _) in self.table.into_iter().flat_map(|table| table.iter()) {
             let found = key.get_ref().as_ref();
-            if !self.known.has(found) {
-                self.note_at(key.span(), unknown_key(found, self.known, self.faults.tables()));
+            if !self.known.has(found)
+                && let Some(rule) = self.stray(found)
+            {
+                self.note_at(key.span(), rule);
             }
         }
         self
+    }
+
+    /// Rule that a key breaks which the table does not have.
+    fn stray(&self, found: &str) -> Option<Rule> {
+        match self.faults.further_keys() {
+            FurtherKeys::Refused => Some(unknown_key(found, self.known, self.faults.tables())),
+            FurtherKeys::Allowed => {
+                let absent: Vec<&'static str> =
+                    self.known.names().filter(|key| self.find(key).is_none()).collect();
+                let meant = synonyms::meant(found, self.known).filter(|key| absent.contains(key));
+                let nearest = meant.or_else(|| nearest_from(LEAST_LIKENESS, found, &absent))?;
+                Some(Rule::UnknownKey { found: found.to_owned(), nearest: Some(nearest), home: None })
+            }
+        }
     }
 
     /// Whether the key is there at all.
@@ -182,6 +198,9 @@ fn key_of(table: &'static Table) -> &'static str {
     table.name.rsplit('.').next().unwrap_or(table.name)
 }
 
+/// Four letters in five alike are no coincidence; fewer may be, and a different word has none.
+const LEAST_LIKENESS: f64 = 0.85;
+
 fn unknown_key(found: &str, table: &Table, tables: &'static [Table]) -> Rule {
     let found_here = found.to_owned();
     let here = |nearest| Rule::UnknownKey { found: found_here.clone(), nearest, home: None };
@@ -191,8 +210,6 @@ fn unknown_key(found: &str, table: &Table, tables: &'static [Table]) -> Rule {
     if let Some(home) = keys::home_of(tables, found, table) {
         return Rule::WrongTable { found: found_here, table: home };
     }
-    // Four letters in five alike are no coincidence; fewer may be, and a different word has none.
-    const LEAST_LIKENESS: f64 = 0.85;
     let known: Vec<&str> = table.names().collect();
     let elsewhere = |key| Some((key, keys::home_of(tables, key, table)?));
     match (nearest_from(LEAST_LIKENESS, found, &known), synonyms::meant_elsewhere(found).and_then(elsewhere))

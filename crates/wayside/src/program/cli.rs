@@ -4,6 +4,7 @@ use crate::program::exit_codes;
 use crate::program::export_formats::help_on_formats;
 #[cfg(feature = "classifier")]
 use crate::program::learning_cli::LearningCommand;
+use crate::program::numbers::whole;
 use crate::program::option_words::{
     AxesWord, EDGES, FormatWord, MethodWord, NODES, POLARIZATIONS, SIDES, SURFACES, TRANSMISSION, boards,
     iq_orders, lanes, one_of,
@@ -12,10 +13,10 @@ use crate::program::suggestion::suggest;
 use crate::program::terminal::{self, Results};
 use crate::program::values::{Axis, Place, Shard};
 use crate::program::values::{
-    accuracy_db, azimuth_deg, azimuths, density, elevation_deg, elevations, frequencies, place, range,
+    accuracy_db, azimuth_deg, azimuths, bounces, density, elevation_deg, elevations, frequencies, place,
+    range,
 };
 use crate::program::values::{full_scale, scale, shard, step};
-use crate::stepwise::bounds::BOUNCES;
 use artifact::material::Transmission;
 use artifact::radar::Polarization;
 use artifact::seed::SEEDS;
@@ -43,11 +44,11 @@ pub(crate) struct Arguments {
 #[derive(Debug, Clone, Args)]
 pub struct General {
     /// Number of threads; results are identical for any number.
-    #[arg(long, global = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, global = true, value_parser = whole(1..=1024_u16, 4))]
     pub threads: Option<u16>,
     /// Memory limit for tracing; frames that would exceed it are refused with figures [default: nine tenths
     /// of the free memory].
-    #[arg(long, global = true, value_name = "MIB", value_parser = clap::value_parser!(u64).range(1..=1 << 24))]
+    #[arg(long, global = true, value_name = "MIB", value_parser = whole(1..=1_u64 << 24, 4096))]
     pub memory_limit: Option<u64>,
     /// Suppress progress and notes.
     #[arg(long, global = true)]
@@ -146,7 +147,7 @@ pub(crate) struct SceneArguments {
     #[arg(long, value_name = "ID")]
     pub(crate) radar: Option<String>,
     /// Replace the scene's seed.
-    #[arg(long, value_parser = clap::value_parser!(u64).range(SEEDS))]
+    #[arg(long, value_parser = whole(SEEDS, 7))]
     pub(crate) seed: Option<u64>,
     /// Replace the scene's accuracy, dB, and choose by it all physics that the scene leaves open.
     #[arg(long, value_name = "DB", value_parser = accuracy_db)]
@@ -159,7 +160,7 @@ pub(crate) struct CacheArguments {
     #[arg(long, value_name = "DIR")]
     pub(crate) cache: Option<PathBuf>,
     /// Maximum size of the cache, MiB; the oldest frames are removed first.
-    #[arg(long, value_name = "MIB", default_value_t = 8192, value_parser = clap::value_parser!(u64).range(..=1 << 40))]
+    #[arg(long, value_name = "MIB", default_value_t = 8192, value_parser = whole(0..=1_u64 << 40, 8192))]
     pub(crate) cache_limit_mib: u64,
 }
 
@@ -224,7 +225,7 @@ pub struct RcsArguments {
     #[arg(long, default_value = "vv", value_parser = one_of(POLARIZATIONS))]
     pub(crate) pol: Polarization,
     /// Highest bounce order [default: 3].
-    #[arg(long, value_parser = clap::value_parser!(u8).range(BOUNCES))]
+    #[arg(long, value_parser = bounces)]
     pub(crate) bounces: Option<u8>,
     /// Method: beam tracing or one of the slow references.
     #[arg(long, value_enum, default_value = "bart")]
@@ -357,7 +358,7 @@ pub struct SweepArguments {
     #[arg(long, conflicts_with = "shard")]
     pub(crate) conclude: bool,
     /// Replace the study's seed.
-    #[arg(long, value_parser = clap::value_parser!(u64).range(SEEDS))]
+    #[arg(long, value_parser = whole(SEEDS, 7))]
     pub(crate) seed: Option<u64>,
     /// Model of the classifier [default: the one shipped with the program].
     #[arg(long, value_name = "FILE.model")]
@@ -491,11 +492,11 @@ pub struct VehiclesArguments {
     #[arg(long, value_name = "DIR")]
     pub(crate) out: PathBuf,
     /// Seed of the dimensions: 0 gives nominal ones, others draw from real ranges.
-    #[arg(long, default_value_t = 0, value_parser = clap::value_parser!(u64).range(SEEDS))]
+    #[arg(long, default_value_t = 0, value_parser = whole(SEEDS, 7))]
     pub(crate) seed: u64,
     /// Number of vehicles of each model: the first uses the seed, the others seeds of their own, listed in
     /// the manifest.
-    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
+    #[arg(long, default_value_t = 1, value_parser = whole(1..=1_000_000_u64, 10))]
     pub(crate) count: u64,
 }
 
@@ -556,7 +557,7 @@ mod tests {
             };
             assert!(parsed(*SEEDS.end()).is_ok(), "{command}");
             let told = parsed(SEEDS.end() + 1).unwrap_err().render().to_string();
-            assert!(told.contains("is not in 0..=9223372036854775807"), "{command}: {told}");
+            assert!(told.contains("it must be from 0 to 9223372036854775807"), "{command}: {told}");
         }
     }
 

@@ -1,5 +1,6 @@
 //! Arguments of the commands that make datasets, train and classify.
 
+use crate::program::numbers::whole;
 use crate::program::terminal::Results;
 use crate::program::values::{Shard, shard};
 use artifact::seed::SEEDS;
@@ -57,7 +58,7 @@ pub struct DatasetArguments {
     #[arg(long, conflicts_with_all = ["conclude", "shard"])]
     pub(crate) dry_run: bool,
     /// Replace the recipe's seed.
-    #[arg(long, value_parser = clap::value_parser!(u64).range(SEEDS))]
+    #[arg(long, value_parser = whole(SEEDS, 7))]
     pub(crate) seed: Option<u64>,
 }
 
@@ -74,10 +75,10 @@ pub struct TrainArguments {
     #[arg(long, value_enum, default_value_t = LearnerWord::Trees)]
     pub(crate) learner: LearnerWord,
     /// Seed of all random draws: examples and features of trees, initial weights, order of samples.
-    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u64).range(SEEDS))]
+    #[arg(long, default_value_t = 1, value_parser = whole(SEEDS, 7))]
     pub(crate) seed: u64,
     /// Steps of the network's optimizer [default: 1440, the paper's number].
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = whole(0..=u32::MAX, 1440))]
     pub(crate) iterations: Option<u32>,
     /// Text file with one line for each vehicle source whose licence requires attribution with the model.
     #[arg(long, value_name = "FILE")]
@@ -112,10 +113,10 @@ pub struct ProtocolsArguments {
     #[arg(long, value_enum, default_value = "trees")]
     pub(crate) learner: LearnerWord,
     /// Steps of the network's optimizer in each training [default: 1440, the paper's number].
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "N", value_parser = whole(1..=u32::MAX, 1440))]
     pub(crate) iterations: Option<u32>,
     /// Number of trainings, with the seeds 1, 2, ...
-    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u64).range(1..=100))]
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = whole(1..=100_u64, 5))]
     pub(crate) seeds: u64,
     /// Add learning curves: train on parts of the scenes and of the vehicles too.
     #[arg(long)]

@@ -1,9 +1,9 @@
 //! Values of options: each has a range for which the work ends, and an error for values outside.
 
+use crate::program::numbers::{Numbers, whole, with_example};
 use crate::stepwise::bounds::{
-    AZIMUTHS_DEG, ELEVATIONS_DEG, FREQUENCIES_GHZ, RANGES_M, UNIT_SCALES, or_infinite, outside,
+    AZIMUTHS_DEG, BOUNCES, ELEVATIONS_DEG, FREQUENCIES_GHZ, RANGES_M, UNIT_SCALES, or_infinite,
 };
-use std::ops::RangeInclusive;
 
 /// Values of an axis with the text that specified them.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,34 +16,38 @@ const AXIS_LIMIT: usize = 1_000_000;
 
 /// Reads an axis of frequencies in GHz.
 pub(crate) fn frequencies(text: &str) -> Result<Axis, String> {
-    axis(text, FREQUENCIES_GHZ)
+    axis(text, &Numbers { allowed: FREQUENCIES_GHZ, example: "77 or 76:78:21" })
 }
 
 pub(crate) fn azimuths(text: &str) -> Result<Axis, String> {
-    axis(text, AZIMUTHS_DEG)
+    axis(text, &Numbers { allowed: AZIMUTHS_DEG, example: "30 or 0:360:361" })
 }
 
 pub(crate) fn elevations(text: &str) -> Result<Axis, String> {
-    axis(text, ELEVATIONS_DEG)
+    axis(text, &Numbers { allowed: ELEVATIONS_DEG, example: "20 or 0:30:4" })
 }
 
-fn axis(text: &str, allowed: RangeInclusive<f64>) -> Result<Axis, String> {
+fn axis(text: &str, numbers: &Numbers) -> Result<Axis, String> {
+    let values = values_of(text, numbers).map_err(|refusal| numbers.with_example(&refusal))?;
+    Ok(Axis { values })
+}
+
+fn values_of(text: &str, numbers: &Numbers) -> Result<Vec<f64>, String> {
     let parts: Vec<&str> = text.split(':').collect();
-    let number = |text: &str| within(text, &allowed);
     match parts[..] {
-        [one] => Ok(Axis { values: vec![number(one)?] }),
+        [one] => Ok(vec![numbers.part(one)?]),
         [start, stop, count] => {
-            let (start, stop) = (number(start)?, number(stop)?);
+            let (start, stop) = (numbers.part(start)?, numbers.part(stop)?);
             let count: usize = count.parse().map_err(|_| format!("`{count}` is not a number of values"))?;
             match count {
-                1 if start == stop => Ok(Axis { values: vec![start] }),
-                2..=AXIS_LIMIT => Ok(Axis { values: evenly(start, stop, count) }),
+                1 if start == stop => Ok(vec![start]),
+                2..=AXIS_LIMIT => Ok(evenly(start, stop, count)),
                 _ => Err(format!(
                     "START:STOP:N needs N from 2 to {AXIS_LIMIT}, both ends included; N is {count}"
                 )),
             }
         }
-        _ => Err("one number, or START:STOP:N".into()),
+        _ => Err("it must be one number, or START:STOP:N".into()),
     }
 }
 
@@ -53,52 +57,54 @@ fn evenly(start: f64, stop: f64, count: usize) -> Vec<f64> {
 }
 
 pub(crate) fn azimuth_deg(text: &str) -> Result<f64, String> {
-    within(text, &AZIMUTHS_DEG)
+    Numbers { allowed: AZIMUTHS_DEG, example: "30" }.value(text)
 }
 
 pub(crate) fn elevation_deg(text: &str) -> Result<f64, String> {
-    within(text, &ELEVATIONS_DEG)
+    Numbers { allowed: ELEVATIONS_DEG, example: "20" }.value(text)
 }
 
 /// Reads a distance in metres, or infinity.
 pub(crate) fn range(text: &str) -> Result<f64, String> {
+    let distances = Numbers { allowed: RANGES_M, example: "30" };
     match text {
         "inf" | "infinite" => Ok(f64::INFINITY),
-        text => within(text, &RANGES_M).map_err(or_infinite),
+        text => distances.part(text).map_err(|refusal| distances.with_example(&or_infinite(refusal))),
     }
 }
 
 /// Reads an accuracy below 0 dB, at which the error equals the result; f64 ends some way beyond −200 dB.
 pub(crate) fn accuracy_db(text: &str) -> Result<f64, String> {
-    match within(text, &(-200.0..=0.0))? {
-        0.0 => Err("an error must be below 0 dB".into()),
+    let errors = Numbers { allowed: -200.0..=0.0, example: "-20" };
+    match errors.value(text)? {
+        0.0 => Err(errors.with_example("an error must be below 0 dB")),
         error_db => Ok(error_db),
     }
 }
 
 /// Reads samples or rays per wavelength.
 pub(crate) fn density(text: &str) -> Result<f64, String> {
-    within(text, &(0.1..=1000.0))
+    Numbers { allowed: 0.1..=1000.0, example: "6" }.value(text)
 }
 
 /// Reads metres per unit of a mesh file.
 pub(crate) fn scale(text: &str) -> Result<f64, String> {
-    within(text, &UNIT_SCALES)
+    Numbers { allowed: UNIT_SCALES, example: "0.001" }.value(text)
 }
 
 /// Reads √W of one step of integer samples.
 pub(crate) fn step(text: &str) -> Result<f32, String> {
-    within(text, &(1e-30..=1e30)).map(|step| step as f32)
+    Numbers { allowed: 1e-30..=1e30, example: "1e-9" }.value(text).map(|step| step as f32)
 }
 
 /// Reads the number of steps to a converter's full scale.
 pub(crate) fn full_scale(text: &str) -> Result<f64, String> {
-    within(text, &(1e-30..=1e30))
+    Numbers { allowed: 1e-30..=1e30, example: "32768" }.value(text)
 }
 
-fn within(text: &str, allowed: &RangeInclusive<f64>) -> Result<f64, String> {
-    let value: f64 = text.parse().map_err(|_| format!("`{text}` is not a number"))?;
-    if allowed.contains(&value) { Ok(value) } else { Err(outside(allowed, text)) }
+/// Reads the highest bounce order.
+pub(crate) fn bounces(text: &str) -> Result<u8, String> {
+    whole(BOUNCES, 3)(text).map(|bounces| bounces as u8)
 }
 
 /// A place in world metres.
@@ -107,8 +113,12 @@ pub(crate) struct Place(pub(crate) [f64; 3]);
 
 /// Reads a place within the range of a scene's coordinates.
 pub(crate) fn place(text: &str) -> Result<Place, String> {
-    let parts: Result<Vec<f64>, _> = text.split(',').map(|part| within(part.trim(), &(-1e5..=1e5))).collect();
-    parts?.try_into().map(Place).map_err(|_| "three numbers, X,Y,Z in metres".to_owned())
+    let coordinates = Numbers { allowed: -1e5..=1e5, example: "2,30,1" };
+    let parts: Result<Vec<f64>, String> = text.split(',').map(|part| coordinates.part(part.trim())).collect();
+    let place: Result<[f64; 3], String> = parts.and_then(|parts| {
+        parts.try_into().map_err(|_| "it must be three numbers, X,Y,Z in metres".to_owned())
+    });
+    place.map(Place).map_err(|refusal| coordinates.with_example(&refusal))
 }
 
 /// Part `number` of `of`, from 1.
@@ -130,7 +140,7 @@ pub fn shard(text: &str) -> Result<Shard, String> {
         text.split_once('/').and_then(|(k, n)| Some(Shard { number: k.parse().ok()?, of: n.parse().ok()? }));
     match parsed {
         Some(s) if s.number >= 1 && s.number <= s.of => Ok(s),
-        _ => Err("K/N with 1 ≤ K ≤ N".into()),
+        _ => Err(with_example("it must be K/N with 1 ≤ K ≤ N", "1/4")),
     }
 }
 
@@ -153,7 +163,9 @@ mod tests {
         for bad in ["91", "-90.001", "0:91:2", "nan", "inf"] {
             assert!(elevations(bad).is_err(), "{bad}");
         }
-        assert_eq!(elevation_deg("91").unwrap_err(), "it must be from -90 to 90, is 91");
+        assert_eq!(elevation_deg("91").unwrap_err(), "it must be from -90 to 90, is 91; for example 20");
+        let told = "`low` is not a number; it must be one from -90 to 90; for example 20 or 0:30:4";
+        assert_eq!(elevations("0:low:2").unwrap_err(), told);
     }
 
     #[test]

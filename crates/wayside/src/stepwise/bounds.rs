@@ -20,7 +20,12 @@ pub const BOUNCES: RangeInclusive<i64> = 1..=5;
 
 /// Sentence that refuses a number outside a range; `written` is the number as given.
 pub fn outside(allowed: &RangeInclusive<f64>, written: impl Display) -> String {
-    format!("it must be from {} to {}, is {written}", plain(*allowed.start()), plain(*allowed.end()))
+    format!("it must be {}, is {written}", from_to(allowed))
+}
+
+/// Words of a range.
+pub(crate) fn from_to(allowed: &RangeInclusive<f64>) -> String {
+    format!("from {} to {}", plain(*allowed.start()), plain(*allowed.end()))
 }
 
 /// Extends the refusal of a number to that of a distance, which may be infinite.

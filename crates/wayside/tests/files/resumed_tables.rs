@@ -8,7 +8,8 @@
 
 use crate::common::{PROGRAM, Workplace};
 use serde_json::Value;
-use std::process::{Child, Command};
+use std::io::{BufRead, BufReader, Read};
+use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 
 /// Three plates that meet at right angles, each in 2 × 6 × 6 triangles: a table of a few hundredths of a
@@ -126,16 +127,36 @@ fn a_slow_reference_goes_on_too() {
     resumed(&place, &format!("{words} s.npy"), "whole");
 }
 
-/// Exit code and words of a command that finds the disk full where a file is to grow beyond so many KiB.
-fn on_full_disk(place: &Workplace, words: &str, most_kib: u32) -> (Option<i32>, String) {
+/// A command that finds the disk full where a file is to grow beyond so many KiB.
+fn command_on_full_disk(place: &Workplace, words: &str, most_kib: u32) -> Command {
+    let mut command = Command::new("bash");
     let script = format!("trap '' XFSZ; ulimit -f {most_kib}; exec \"$@\"");
-    let output = Command::new("bash")
+    command
         .args(["-c", &script, "bash", PROGRAM])
         .args(words.split_whitespace().filter(|word| *word != "--quiet"))
-        .current_dir(place.root())
-        .output()
-        .unwrap();
+        .current_dir(place.root());
+    command
+}
+
+/// Exit code and words of a command on a full disk.
+fn on_full_disk(place: &Workplace, words: &str, most_kib: u32) -> (Option<i32>, String) {
+    let output = command_on_full_disk(place, words, most_kib).output().unwrap();
     (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+}
+
+/// Last line of a command that is interrupted as soon as it has said that its disk is full.
+fn last_words_on_full_disk(place: &Workplace, words: &str, most_kib: u32) -> String {
+    let mut command = command_on_full_disk(place, words, most_kib);
+    let mut child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
+    let mut heard = BufReader::new(child.stderr.take().unwrap());
+    let mut said = String::new();
+    while !said.contains("s.npy.checkpoint: ") {
+        assert!(heard.read_line(&mut said).unwrap() > 0, "it ended before it could be interrupted: {said}");
+    }
+    assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+    heard.read_to_string(&mut said).unwrap();
+    assert_eq!(child.wait().unwrap().code(), Some(130), "{said}");
+    said.lines().last().unwrap_or_default().to_owned()
 }
 
 #[test]
@@ -157,6 +178,19 @@ fn a_table_without_room_for_its_first_aspect_says_that_it_cannot_be_resumed_and_
     let (code, said) = on_full_disk(&place, &format!("{WORDS} s.npy"), 0);
     assert!(code == Some(2) && said.contains("this run cannot be resumed"), "{said}");
     assert!(!place.path("s.npy").exists() && !place.path("s.npy.checkpoint").exists(), "{said}");
+}
+
+#[test]
+fn an_interrupt_on_a_full_disk_says_which_aspects_are_kept() {
+    let place = workplace();
+    let words = format!("{WORDS} s.npy");
+    let said = last_words_on_full_disk(&place, &words, 0);
+    assert_eq!(said, "interrupted; nothing is half-written, the same command begins anew");
+    let said = last_words_on_full_disk(&place, &words, 8);
+    assert_eq!(
+        said,
+        "interrupted; aspects done before the disk was full are kept, the same command goes on from there"
+    );
 }
 
 #[test]

@@ -381,7 +381,10 @@ const REFUSED_MODELS: [(&str, &str); 9] = [
     ("car = [\"bus-mini\"]", "8:8: [models]: `car`: `bus-mini` is a bus"),
     ("car = [\"bmw\"]", "[models]: `car`: `bmw` is no mesh file"),
     ("car = [\"empty\"]", "[models]: `car`: `empty`: the folder holds no .glb"),
-    ("vehicles = \"up\"", "manifest.toml: vehicle: name `../x` is no name of a file"),
+    (
+        "vehicles = \"up\"",
+        "spec.toml: up/manifest.toml:2:8: [vehicle]: `name` must be that of a .glb in this",
+    ),
     ("car = [\"car-hatchback\", \"car-hatchback.obj\"]", "[models]: `car`: two different models"),
 ];
 

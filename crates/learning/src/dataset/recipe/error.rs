@@ -1,16 +1,11 @@
 //! Broken rules of a recipe.
 
 use artifact::settings::Class;
-use pipeline::host::toml_text::TomlFault;
 use scene::Rule;
 
 /// Rule that only a recipe breaks, or a manifest of vehicles that it names; whoever read it knows the file.
 #[derive(Debug, thiserror::Error)]
 pub(super) enum RecipeError {
-    /// The text does not say what a manifest says.
-    #[error(transparent)]
-    Text(#[from] TomlFault),
-
     /// Neither of the two keys for base scenes is given.
     #[error("`scene` or `scenes` is missing: name the base scene, or several")]
     NoBaseScene,
@@ -46,7 +41,7 @@ pub(super) enum RecipeError {
     FrameInterval { scene: String, cycle_s: f64, found_s: f64 },
 
     /// A manifest's vehicle whose name leads out of the manifest's folder.
-    #[error("vehicle: name `{name}` is no name of a file in this folder")]
+    #[error("`name` must be that of a .glb in this folder, without the ending, is `{name}`")]
     NameOfNoFile { name: String },
     /// An own vehicle under the key of another class.
     #[error("`{}`: `{name}` is a {}", class.name(), own.name())]

@@ -1,10 +1,11 @@
-//! Every key of a recipe, declared once as those of scenes are: name with unit, type, range, default and
-//! sentence; `docs/datasets.md` has them at length.
+//! Every key of a recipe and of a manifest of vehicles, declared once as those of scenes are: name with unit,
+//! type, range, default and sentence; `docs/datasets.md` has them at length.
 
 use artifact::seed::SEEDS;
+use artifact::settings::Class;
 use scene::Allowed::{self, Above, Between};
 use scene::document::keys::key::{Key, Or, Table};
-use scene::document::keys::kinds::{Below, Counts, Number, Text, Texts, Truth, Vector, Whole, Wholes};
+use scene::document::keys::kinds::{Below, Counts, Number, Text, Texts, Truth, Vector, Whole, Wholes, Words};
 
 /// Scenes of a class: at a second a scene a week and a half.
 const SCENES_LIMIT: u32 = 1_000_000;
@@ -139,14 +140,40 @@ pub(super) const TRUCK: Key<Texts> = Key::new("truck", WORDS, "trucks");
 
 pub(super) const MOTORCYCLE: Key<Texts> = Key::new("motorcycle", WORDS, "motorcycles");
 
+/// Each table of a manifest of vehicles.
+pub(super) const MANIFEST_TABLES: &[Table] = &[MANIFEST, LISTED];
+
+pub(super) const MANIFEST: Table = Table {
+    name: "",
+    heading: "the beginning of the file",
+    about: "Vehicles of a folder.",
+    keys: &[&OF_LISTED],
+};
+
+pub(super) const OF_LISTED: Key<Below> =
+    Key::new("vehicle", Below::several(&LISTED), "each of the vehicles").required();
+
+pub(super) const LISTED: Table = Table {
+    name: "vehicle",
+    heading: "[[vehicle]]",
+    about: "A vehicle of the folder.",
+    keys: &[&LISTED_NAME, &LISTED_CLASS],
+};
+
+pub(super) const LISTED_NAME: Key<Text> =
+    Key::new("name", Text("a name"), "of its `.glb` without the ending").required();
+
+pub(super) const LISTED_CLASS: Key<Words<Class>> =
+    Key::new("class", Words::CLASSES, "truth for the classifier").required();
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn every_key_of_a_recipe_is_on_its_page() {
+    fn every_key_of_a_recipe_and_of_a_manifest_is_on_their_page() {
         let page = include_str!("../../../../../docs/datasets.md");
-        for key in TABLES.iter().flat_map(Table::names) {
+        for key in [TABLES, MANIFEST_TABLES].concat().iter().flat_map(Table::names) {
             let is_told = [format!("`{key}`"), format!("[{key}]"), format!("`{key} =")];
             assert!(is_told.iter().any(|form| page.contains(form)), "docs/datasets.md does not tell `{key}`");
         }

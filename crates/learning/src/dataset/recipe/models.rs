@@ -3,23 +3,18 @@
 
 use crate::dataset::recipe::error::RecipeError;
 use crate::dataset::recipe::keys;
-use artifact::bounded;
+use crate::dataset::recipe::manifest::{self, Listed};
 use artifact::material::MaterialMap;
 use artifact::scene::{Mesh, SceneHeader};
 use artifact::settings::Class;
 use pipeline::chain::loading;
 use pipeline::host::failure::Failure;
-use pipeline::host::toml_text;
 use scene::document::section::Section;
 use scene::mesh::{self, Format, MeshOptions};
 use scene::{asset_materials, centred, read_mesh, vehicles};
-use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::slice;
-
-/// A manifest of a thousand vehicles, with all that is told of each.
-const LIMIT_BYTES: u64 = 16 << 20;
 
 /// Content of the recipe's table `[models]`.
 #[derive(Debug, Clone, PartialEq)]
@@ -97,11 +92,11 @@ pub(super) fn listed(
     let Some(vehicles) = &choice.vehicles else { return Ok(all) };
     let folder = recipe.parent().unwrap_or(Path::new("."));
     let manifest = folder.join(vehicles).join("manifest.toml");
-    let read = || manifest_of(&manifest);
+    let read = || manifest::read(&manifest);
     let (listed, hashed) =
         loading::read_of(slice::from_ref(&manifest), read).map_err(|failure| failure.named_in(recipe))?;
     inputs.extend(hashed);
-    for Entry { name, class } in listed.vehicle {
+    for Listed { name, class } in listed {
         let file = manifest.with_file_name(format!("{name}.glb"));
         all.entry(class).or_default().push((name, Some(file)));
     }
@@ -141,29 +136,6 @@ pub(super) fn read(
         models.entry(class).or_default().push(model(name, file, bases, inputs)?);
     }
     Ok(models)
-}
-
-/// Part of a folder's `manifest.toml` that is read; the file may say more.
-#[derive(Deserialize)]
-struct Manifest {
-    vehicle: Vec<Entry>,
-}
-
-#[derive(Deserialize)]
-struct Entry {
-    name: String,
-    class: Class,
-}
-
-fn manifest_of(file: &Path) -> Result<Manifest, Failure> {
-    let text = bounded::read_text(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
-    let refused = |error: RecipeError| Failure::refused(error).about(file);
-    let manifest: Manifest = toml_text::read(&text).map_err(|fault| refused(fault.into()))?;
-    let is_plain = |name: &str| Path::new(name).file_name().is_some_and(|own| own == name);
-    match manifest.vehicle.iter().find(|entry| !is_plain(&entry.name)) {
-        Some(entry) => Err(refused(RecipeError::NameOfNoFile { name: entry.name.clone() })),
-        None => Ok(manifest),
-    }
 }
 
 /// Word for all crosses of a class.

@@ -134,12 +134,9 @@ pub(crate) const MODEL: Key<Text> = Key::new(
 )
 .absent("required for a mesh");
 
-pub(crate) const CLASS: Key<Words<Class>> = Key::new(
-    "class",
-    Words(|| Class::ALL.map(|class| (class.name(), class)).to_vec()),
-    "mesh only: truth for the classifier; unknown for a file without it",
-)
-.absent("the vehicle's");
+pub(crate) const CLASS: Key<Words<Class>> =
+    Key::new("class", Words::CLASSES, "mesh only: truth for the classifier; unknown for a file without it")
+        .absent("the vehicle's");
 
 pub(crate) const VEHICLE_SEED: Key<Whole, Or<u64>> = Key::new(
     "vehicle_seed",

@@ -3,6 +3,7 @@
 use crate::document::keys::key::{Kind, Plain, Table};
 use crate::wording::allowed::Allowed;
 use crate::wording::number;
+use artifact::settings::Class;
 use serde_json::{Value, json};
 
 /// A number.
@@ -35,7 +36,12 @@ pub(crate) struct Name;
 
 /// Words, and the value of each.
 #[derive(Clone, Copy)]
-pub(crate) struct Words<T: 'static>(pub(crate) fn() -> Vec<(&'static str, T)>);
+pub struct Words<T: 'static>(pub(crate) fn() -> Vec<(&'static str, T)>);
+
+impl Words<Class> {
+    /// Classes of vehicles.
+    pub const CLASSES: Self = Self(|| Class::ALL.map(|class| (class.name(), class)).to_vec());
+}
 
 /// Words, and others that follow a pattern.
 #[derive(Clone, Copy)]
@@ -129,7 +135,7 @@ impl Below {
     }
 
     /// An array of tables.
-    pub(crate) const fn several(table: &'static Table) -> Self {
+    pub const fn several(table: &'static Table) -> Self {
         Self { form: TableForm::Several, table }
     }
 }

@@ -11,14 +11,13 @@ use artifact::{ErrorBudget, Provenance, Writer};
 use formats::device_config::{self, Configured, DeviceSettings, scene_with};
 use formats::devices::{IqOrder, Lanes};
 use formats::radar_cloud;
-use formats::radar_cloud::import::frames_of;
 use formats::raw_data::arrays;
 use formats::raw_data::dca1000;
 use formats::raw_data::sigmf;
 use formats::raw_data::uwcr;
 use formats::raw_data::{Imported, IntegerStep};
 use num_complex::Complex32;
-use options::Kind;
+use options::{Input, Kind};
 use pipeline::chain::keys::cube_header;
 use pipeline::chain::loading::{self, provenance};
 use pipeline::chain::stages::Stage;
@@ -27,19 +26,22 @@ use pipeline::host::progress;
 use std::path::{Path, PathBuf};
 
 pub(crate) fn run(arguments: &ImportArguments) -> Result<(), Failure> {
-    let kind = Kind::of(arguments);
-    options::check(arguments, kind)?;
+    let input = Input::of(arguments)?;
+    options::check(arguments, input.kind)?;
     let told_by = radar_files(arguments);
-    if kind == Kind::Clouds {
+    if input.kind == Kind::Clouds {
         let file = arguments.array.as_path();
         let read = || scene_of(arguments, settings_of(arguments)?.as_ref());
         return radar_cloud::import::points(file, &told_by, read, &arguments.out);
     }
-    let files = [files_of_samples(arguments, kind)?, told_by].concat();
-    let beside = if kind == Kind::CaptureCard { dca1000::descriptions(&arguments.array) } else { vec![] };
+    let files = [input.files.as_slice(), &told_by].concat();
+    let beside = match input.kind {
+        Kind::CaptureCard => dca1000::descriptions(&arguments.array),
+        Kind::Array | Kind::Sigmf | Kind::Uwcr | Kind::Clouds => vec![],
+    };
     let of_all = [files.as_slice(), &beside].concat();
     let (Samples { scene, header, frames, step }, mut hashed) =
-        loading::read_of(&of_all, || samples(arguments, kind))?;
+        loading::read_of(&of_all, || samples(arguments, &input))?;
     let of_beside = hashed.split_off(files.len());
     let is_told = |place: &Path| step.place() == Some(place);
     hashed.extend(beside.iter().zip(of_beside).filter(|(place, _)| is_told(place)).map(|(_, told)| told));
@@ -62,11 +64,11 @@ struct Samples {
     step: IntegerStep,
 }
 
-fn samples(arguments: &ImportArguments, kind: Kind) -> Result<Samples, Failure> {
+fn samples(arguments: &ImportArguments, input: &Input) -> Result<Samples, Failure> {
     let settings = settings_of(arguments)?;
     let scene = scene_of(arguments, settings.as_ref())?;
     let (file, mut header) = (arguments.array.as_path(), cube_header(&scene));
-    let Imported { frames, step } = match kind {
+    let Imported { frames, step } = match input.kind {
         Kind::CaptureCard => {
             if let (Some(file), Some(settings)) = (&arguments.config, &settings) {
                 device_config::check_stream(file, settings)?;
@@ -79,8 +81,8 @@ fn samples(arguments: &ImportArguments, kind: Kind) -> Result<Samples, Failure> 
             imported
         }
         Kind::Sigmf => sigmf::read(file, &header, arguments.step)?,
-        Kind::Uwcr => uwcr::read(file, &header)?,
-        Kind::Array | Kind::Clouds => arrays::read(file, &header)?,
+        Kind::Uwcr => uwcr::read(&input.files, &header)?,
+        Kind::Array | Kind::Clouds => arrays::read(&input.files, &header)?,
     };
     options::check_samples(arguments, header.radar.waveform.sampling, &step)?;
     let told = Told { full_scale: arguments.full_scale, bits: settings.as_ref().map(DeviceSettings::bits) };
@@ -93,14 +95,6 @@ fn samples(arguments: &ImportArguments, kind: Kind) -> Result<Samples, Failure> 
 /// Settings of the board's configuration, if one is given.
 fn settings_of(arguments: &ImportArguments) -> Result<Option<DeviceSettings>, Failure> {
     arguments.config.as_deref().map(|file| device_config::read(file, arguments.device)).transpose()
-}
-
-/// Files that hold the samples.
-fn files_of_samples(arguments: &ImportArguments, kind: Kind) -> Result<Vec<PathBuf>, Failure> {
-    match kind {
-        Kind::Sigmf => Ok(sigmf::pair(&arguments.array).to_vec()),
-        _ => frames_of(&arguments.array, &options::FOLDER_ENDINGS),
-    }
 }
 
 /// Properties of a converter, from the command and the configuration.
@@ -213,4 +207,39 @@ fn provenance_of(
         IntegerStep::Counted { step, .. } => format!("adc_steps_per_step {step}"),
     };
     Provenance { settings: format!("{}, {told}", from.settings), ..from }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::program::cli::{Arguments, Command};
+    use clap::Parser;
+    use ndarray::Array4;
+    use ndarray_npy::WriteNpyExt;
+    use std::fs::File;
+
+    fn arguments(array: &Path, scene: &Path) -> ImportArguments {
+        let words = ["wayside", "import", "--out", "a.cube", "--scene"].map(Path::new);
+        let words = words.into_iter().chain([scene, array]);
+        let Command::Import(arguments) = Arguments::try_parse_from(words).unwrap().command else {
+            panic!("it is an import")
+        };
+        *arguments
+    }
+
+    #[test]
+    fn frames_are_those_that_the_folder_held_when_it_was_listed() {
+        let folder = tempfile::tempdir().unwrap();
+        let scene = folder.path().join("s.toml");
+        std::fs::write(&scene, "name = \"s\"\n[radar.waveform]\nsamples = 64\nchirps = 32\n").unwrap();
+        let [channels, chirps, length] = cube_header(&loading::radar_only(&scene, None).unwrap()).shape();
+        let frame = Array4::from_elem((1, channels, chirps, length), Complex32::new(0.5, -0.25));
+        let write = |name: &str| frame.write_npy(File::create(folder.path().join(name)).unwrap()).unwrap();
+        write("a.npy");
+        let arguments = arguments(folder.path(), &scene);
+        let input = Input::of(&arguments).unwrap();
+        write("b.npy");
+        assert_eq!((input.kind, input.files.len()), (Kind::Array, 1));
+        assert_eq!(samples(&arguments, &input).unwrap().frames.len(), 1);
+    }
 }

@@ -51,7 +51,7 @@ pub(crate) fn run(arguments: &RcsArguments, memory: Allowance) -> Result<(), Fai
     let load = clock.seconds();
     let checkpoint =
         progress::during("looking for an earlier run of this", || checkpoint(arguments, &mesh, &request));
-    interrupt::keeps("aspects");
+    interrupt::keeps_as_told("aspects", checkpoint.watch());
     let answer = match arguments.method {
         MethodWord::Bart => traced(&mesh, &request, &checkpoint, &clock, memory)?,
         MethodWord::Po | MethodWord::Sbr => {

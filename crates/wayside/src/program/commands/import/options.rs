@@ -3,9 +3,9 @@
 use crate::program::cli::ImportArguments;
 use artifact::radar::Sampling;
 use formats::radar_cloud::import::{ending, frames_of};
-use formats::raw_data::{IntegerStep, arrays, uwcr};
+use formats::raw_data::{IntegerStep, arrays, sigmf, uwcr};
 use pipeline::host::failure::Failure;
-use std::path::Path;
+use std::path::PathBuf;
 
 /// Kind of an import.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -23,25 +23,42 @@ pub(super) enum Kind {
 }
 
 impl Kind {
-    /// Determines the kind from the names of input and output.
-    pub(super) fn of(arguments: &ImportArguments) -> Self {
-        match ending(&arguments.array) {
-            _ if ending(&arguments.out) == Some("points") => Self::Clouds,
-            Some("bin") => Self::CaptureCard,
-            Some("sigmf-meta" | "sigmf-data") => Self::Sigmf,
-            Some("mat") => Self::Uwcr,
-            _ if arguments.array.is_dir() && !holds_arrays(&arguments.array) => Self::Uwcr,
-            _ => Self::Array,
-        }
+    /// Determines the kind of frames from the ending that their files share.
+    fn of_frames(files: &[PathBuf]) -> Self {
+        let is_mat = |file: &PathBuf| ending(file).is_some_and(|ending| uwcr::ENDINGS.contains(&ending));
+        if files.first().is_some_and(is_mat) { Self::Uwcr } else { Self::Array }
     }
 }
 
 /// Endings of the frames in a folder of samples.
-pub(super) const FOLDER_ENDINGS: [&str; 2] = [uwcr::ENDINGS[0], arrays::ENDINGS[0]];
+const FOLDER_ENDINGS: [&str; 2] = [uwcr::ENDINGS[0], arrays::ENDINGS[0]];
 
-fn holds_arrays(folder: &Path) -> bool {
-    let files = frames_of(folder, &FOLDER_ENDINGS).unwrap_or_default();
-    files.first().and_then(|file| ending(file)).is_some_and(|ending| arrays::ENDINGS.contains(&ending))
+/// Kind of an import, with the files of its samples.
+pub(super) struct Input {
+    pub(super) kind: Kind,
+    /// Files that hold the samples; none for clouds, which their own reader lists.
+    pub(super) files: Vec<PathBuf>,
+}
+
+impl Input {
+    /// Determines the kind from the names of input and output, and of the frames in a folder, which is listed
+    /// here and nowhere else: files that appear in it later belong to no import.
+    ///
+    /// # Errors
+    /// A folder that cannot be listed, or whose frames are not all arrays or all of UWCR.
+    pub(super) fn of(arguments: &ImportArguments) -> Result<Self, Failure> {
+        let asked = arguments.array.as_path();
+        let (kind, files) = match ending(asked) {
+            _ if ending(&arguments.out) == Some("points") => (Kind::Clouds, vec![]),
+            Some("bin") => (Kind::CaptureCard, vec![asked.to_owned()]),
+            Some("sigmf-meta" | "sigmf-data") => (Kind::Sigmf, sigmf::pair(asked).to_vec()),
+            _ => {
+                let files = frames_of(asked, &FOLDER_ENDINGS)?;
+                (Kind::of_frames(&files), files)
+            }
+        };
+        Ok(Self { kind, files })
+    }
 }
 
 /// An option that applies to some kinds only.
