@@ -30,9 +30,9 @@ pub enum ClassifierError {
     Setting {
         /// Name of the setting.
         setting: &'static str,
-        /// The range.
+        /// Range of the setting, in words.
         rule: &'static str,
-        /// Value given.
+        /// Value of the setting.
         found: f64,
     },
     /// Shards of different datasets.
@@ -52,9 +52,9 @@ pub enum ClassifierError {
     SceneInTwoSplits {
         /// The scene.
         scene: u64,
-        /// Split of its first sample.
+        /// Split of the scene's first sample.
         first: Split,
-        /// Split of another sample.
+        /// Split of another sample of the scene.
         second: Split,
     },
     /// A duplicate sample.
@@ -66,9 +66,9 @@ pub enum ClassifierError {
     /// An image in two splits: a scene was made twice, or a file was copied.
     #[error("samples `{first}` and `{second}` show the same pixels in different splits")]
     CropInTwoSplits {
-        /// The earlier sample.
+        /// Id of the earlier sample.
         first: String,
-        /// The copy.
+        /// Id of the sample with the same pixels.
         second: String,
     },
     /// A model of another layout than this program supports.
@@ -76,7 +76,7 @@ pub enum ClassifierError {
     Architecture {
         /// Layout in the model.
         found: String,
-        /// Supported layout.
+        /// Layout that this program builds.
         known: &'static str,
     },
     /// A model with other classes, or in another order.

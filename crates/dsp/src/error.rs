@@ -12,11 +12,11 @@ pub enum DspError {
         "sample {sample} of channel {channel}, chirp {chirp} has an imaginary part; the radar's sampling is real"
     )]
     NotReal {
-        /// Channel.
+        /// Index of the sample's channel.
         channel: usize,
-        /// Chirp.
+        /// Index of the sample's chirp.
         chirp: usize,
-        /// Sample.
+        /// Index of the sample in its chirp.
         sample: usize,
     },
     /// Calibration that belongs to another array.
@@ -77,11 +77,11 @@ pub enum DspError {
     /// A NaN or an infinite sample.
     #[error("channel {channel}, chirp {chirp}, sample {sample} is not finite")]
     SampleNotFinite {
-        /// Channel of the cube.
+        /// Index of the sample's channel.
         channel: usize,
-        /// Chirp.
+        /// Index of the sample's chirp.
         chirp: usize,
-        /// Sample.
+        /// Index of the sample in its chirp.
         sample: usize,
     },
     /// A non-finite value of the map, or one beyond single precision.
@@ -116,7 +116,7 @@ pub enum DspError {
     Radar {
         /// Name of the property with its unit.
         quantity: &'static str,
-        /// Value found.
+        /// Value of the property.
         value: f64,
     },
     /// Staggered chirps combined with Doppler or code division.

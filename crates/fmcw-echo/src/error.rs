@@ -43,7 +43,7 @@ pub enum EchoError {
     OscillatorTooLong {
         /// Number of sample intervals in the frame.
         samples: f64,
-        /// Maximum number of them.
+        /// Largest number of sample intervals in a frame.
         limit: usize,
     },
     /// An interferer without consecutive chirps, or at the position of this radar.
@@ -51,7 +51,7 @@ pub enum EchoError {
     Interferer {
         /// Index in the list.
         index: usize,
-        /// Invalid property.
+        /// Property that is not sound, in words.
         quantity: &'static str,
     },
     /// An array without transmitters or without receivers.
@@ -125,9 +125,9 @@ pub enum EchoError {
         moment: u32,
         /// Number of moments in the frame.
         moments: u32,
-        /// First moment.
+        /// Time of the first moment, s.
         first_s: f64,
-        /// Interval from one moment to the next.
+        /// Interval from one moment to the next, s.
         step_s: f64,
     },
     /// A path for a place of the array that does not exist in its frame.
@@ -157,7 +157,7 @@ pub enum EchoError {
         element: &'static str,
         /// Index of the element.
         index: usize,
-        /// Closest approach.
+        /// Smallest distance from the element.
         distance_m: f64,
     },
     /// A speed beyond road traffic, for which the scattering time is not solved accurately.
@@ -169,7 +169,7 @@ pub enum EchoError {
         path: usize,
         /// Speed of the path.
         speed_mps: f64,
-        /// Maximum speed.
+        /// Largest speed of a path.
         limit_mps: f64,
     },
     /// A sample beyond the range of f32.
@@ -177,11 +177,11 @@ pub enum EchoError {
     SampleOverflow {
         /// Index of the frame.
         frame: u32,
-        /// Channel.
+        /// Index of the sample's channel.
         channel: usize,
-        /// Chirp.
+        /// Index of the sample's chirp.
         chirp: usize,
-        /// Sample.
+        /// Index of the sample in its chirp.
         sample: usize,
     },
     /// A table of a target that does not exist in the scene.
@@ -221,7 +221,7 @@ pub enum EchoError {
         table: usize,
         /// Name of the axis.
         axis: &'static str,
-        /// Requested value.
+        /// Frequency or angle that is asked for.
         value: f64,
         /// Start of the axis.
         first: f64,

@@ -52,7 +52,7 @@ impl Heights {
         }
     }
 
-    /// The source in words.
+    /// Source of the height, in words.
     pub(crate) fn words(self) -> String {
         match self {
             Self::Measured => "measured".to_owned(),

@@ -5,13 +5,13 @@ use crate::svg::{Svg, width_px, wrapped};
 /// One axis: its range in numbers and in pixels.
 #[derive(Debug, Clone, Copy)]
 pub struct Axis {
-    /// Number at its start.
+    /// Number at the start of the axis.
     pub from: f64,
-    /// Number at its end.
+    /// Number at the end of the axis.
     pub to: f64,
-    /// Pixel of its start.
+    /// Pixel at the start of the axis.
     pub start_px: f64,
-    /// Pixel of its end.
+    /// Pixel at the end of the axis.
     pub end_px: f64,
 }
 

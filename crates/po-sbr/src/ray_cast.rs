@@ -63,9 +63,9 @@ pub enum ReferenceError {
     TooMany {
         /// Name of what is counted.
         what: &'static str,
-        /// Expected number.
+        /// Number of them that one aspect would take.
         count: f64,
-        /// Maximum number.
+        /// Largest number of them that one aspect may take.
         most: f64,
     },
     /// A density or frequency that is not positive and finite.

@@ -14,7 +14,7 @@ pub struct Substance {
     pub permittivity: Option<Complex64>,
     /// Short description of the substance.
     pub meaning: &'static str,
-    /// Source of the value.
+    /// Source of the permittivity.
     pub source: &'static str,
 }
 

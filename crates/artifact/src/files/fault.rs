@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, thiserror::Error)]
 #[error("{}: {fault}", file.display())]
 pub struct ArtifactError {
-    /// The artifact.
+    /// File of the artifact.
     pub file: PathBuf,
     /// The rule that it breaks, or the system's error.
     pub fault: Fault,
@@ -19,7 +19,7 @@ pub enum Fault {
     /// System error: missing, unreadable, unwritable, disk full.
     #[error("cannot {doing}: {cause}")]
     System {
-        /// Attempted action.
+        /// Action that the system refused, as in "cannot open".
         doing: &'static str,
         /// The system's answer.
         cause: std::io::Error,
@@ -33,9 +33,9 @@ pub enum Fault {
     /// The file holds another kind of artifact than requested.
     #[error("is a `{found}` artifact where a `{expected}` artifact is needed")]
     Schema {
-        /// Requested kind.
+        /// Kind of artifact that is needed.
         expected: &'static str,
-        /// Kind in the file.
+        /// Kind of artifact in the file.
         found: String,
     },
     /// The file was written by another version of the schema.
@@ -43,9 +43,9 @@ pub enum Fault {
     Version {
         /// Kind of artifact.
         schema: String,
-        /// Version in the file.
+        /// Version of the schema in the file.
         found: u32,
-        /// Version supported here.
+        /// Version of the schema that this program reads.
         known: u32,
     },
     /// Bytes changed since they were written.
@@ -64,7 +64,7 @@ pub enum Fault {
     Count {
         /// Number of frames read.
         found: u64,
-        /// Number of frames stated.
+        /// Number of frames in the end mark.
         told: u64,
     },
     /// A length that the file or the schema cannot hold.
@@ -74,9 +74,9 @@ pub enum Fault {
         record: String,
         /// Byte of the file at which the record starts.
         offset: u64,
-        /// Length that the record claims.
+        /// Length that the record claims, bytes.
         length: u64,
-        /// Maximum length allowed.
+        /// Largest length of such a record, bytes.
         limit: u64,
     },
     /// A record with a correct checksum that does not fit the schema.
@@ -94,7 +94,7 @@ pub enum Fault {
     Marker {
         /// Offset of the byte in the file.
         offset: u64,
-        /// The byte found.
+        /// Byte where a record should start.
         found: u8,
     },
 }

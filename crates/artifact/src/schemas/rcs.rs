@@ -46,11 +46,11 @@ pub struct RcsFrame {
 pub struct RcsTable {
     /// Index of the target.
     pub target: u32,
-    /// Axis 0.
+    /// Axis 0: frequency.
     pub frequency_hz: Vec<f64>,
-    /// Axis 1, above the horizon in body axes.
+    /// Axis 1: elevation above the horizon, body axes.
     pub elevation_rad: Vec<f64>,
-    /// Axis 2, from body x towards body y.
+    /// Axis 2: azimuth from body x towards body y.
     pub azimuth_rad: Vec<f64>,
     /// Distance from the antenna to the origin; infinite for the far field.
     pub range_m: f64,

@@ -162,7 +162,7 @@ pub enum BartError {
         body: String,
         /// Distance to the nearest facet.
         distance_m: f64,
-        /// Minimum distance allowed.
+        /// Smallest allowed distance from a facet, a wavelength.
         least_m: f64,
     },
     /// An antenna inside a closed body, from where nothing returns from a distance, and no order of bounces
@@ -185,7 +185,7 @@ pub enum BartError {
          near: move it away, or ask for fewer bounces or a lower frequency"
     )]
     TooManyPieces {
-        /// Maximum number of pieces.
+        /// Largest number of pieces of an integral.
         most: u64,
     },
     /// A NaN or infinite antenna position or direction, or a zero direction.
@@ -194,7 +194,7 @@ pub enum BartError {
     /// More bounces than a path record can hold.
     #[error("{bounces} bounces asked for; a path record holds {most}")]
     TooManyBounces {
-        /// Requested bounces.
+        /// Number of bounces that are asked for.
         bounces: u8,
         /// Maximum number of bounces in a record.
         most: u8,
@@ -202,13 +202,13 @@ pub enum BartError {
     /// A frequency that is not positive.
     #[error("a frequency must be positive and finite, is {frequency_hz} Hz")]
     FrequencyNotPositive {
-        /// Requested frequency.
+        /// Frequency that is asked for.
         frequency_hz: f64,
     },
     /// A range that is not positive.
     #[error("a range must be positive, is {range_m} m")]
     RangeNotPositive {
-        /// Requested range.
+        /// Range that is asked for.
         range_m: f64,
     },
 }

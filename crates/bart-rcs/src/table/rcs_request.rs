@@ -15,7 +15,7 @@ use std::f64::consts::TAU;
 /// Requested S(frequency, elevation, azimuth), body axes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RcsRequest {
-    /// Axis 0.
+    /// Axis 0: frequency.
     pub frequency_hz: Vec<f64>,
     /// Axis 1: elevation of the antenna above the horizon.
     pub elevation_rad: Vec<f64>,

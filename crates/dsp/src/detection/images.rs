@@ -12,7 +12,7 @@ pub(crate) struct Images {
     pub(crate) of_rows: Vec<usize>,
     /// Number of samples, half of which are range cells; 0 if there are no images.
     samples: i64,
-    /// Maximum range offset.
+    /// Largest range offset of an image that training regions can overlap.
     far: i64,
 }
 

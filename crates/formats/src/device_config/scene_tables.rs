@@ -14,7 +14,7 @@ pub(super) struct Entry {
     pub(super) key: &'static str,
     /// Text of the value in TOML.
     pub(super) value: String,
-    /// Reason for the value.
+    /// Remark in the scene on where the value comes from.
     remark: String,
     /// Command that sets the value.
     command: Command,
@@ -39,7 +39,7 @@ pub enum NoScene {
     /// No board was given, and the configuration names none: the places of the antennas are unknown.
     #[error("{}: no chip is named, and with it no antenna: --device xwr1243, xwr1443, xwr1642, xwr1843, xwr6843 or awr2243 names the board", .file.display())]
     NoBoard {
-        /// The configuration.
+        /// File of the configuration.
         file: PathBuf,
     },
     /// The scene would break rules of scenes.

@@ -29,9 +29,9 @@ pub(crate) enum MatError {
     /// The sides of the array differ from the radar's frames.
     #[error("its array is {found:?}, the scene's radar has {asked:?}")]
     OtherSides {
-        /// Sides in the file.
+        /// Sides of the array in the file.
         found: Vec<u32>,
-        /// Expected sides.
+        /// Sides that the radar's frames have.
         asked: [usize; 4],
     },
     /// The array holds fewer or more numbers than its sides require.

@@ -24,9 +24,9 @@ pub(crate) enum CloudError {
     /// A type that is not supported for fields.
     #[error("a field of type {kind} and size {size} is not known")]
     UnknownField {
-        /// Type as written.
+        /// Letter of the field's type in the head.
         kind: String,
-        /// Bytes as written.
+        /// Size of the field in the head, bytes.
         size: String,
     },
     /// A required field of a detection is missing.

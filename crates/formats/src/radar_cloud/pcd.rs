@@ -7,7 +7,7 @@ use glam::DVec3;
 /// A row to write: a detection with further values of its dataset.
 pub(crate) struct Row {
     pub(crate) seen: Detection,
-    /// Number in its cloud.
+    /// Number of the detection in its cloud.
     pub(crate) id: i16,
     /// Code of motion: 0 moves, 1 is at rest, 4 is not known.
     pub(crate) dynamics: i8,

@@ -59,15 +59,15 @@ pub(crate) struct VehicleLine {
     pub(crate) id: String,
     /// Index among the targets of its scene.
     pub(crate) target: u32,
-    /// Name of its class.
+    /// Name of the vehicle's class.
     pub(crate) class: String,
     pub(crate) model: String,
     pub(crate) variant: u64,
-    /// Lane of its middle.
+    /// Lane of the vehicle's middle.
     pub(crate) lane: Option<u8>,
-    /// Range of its middle.
+    /// Range of the vehicle's middle.
     pub(crate) range_m: Option<f64>,
-    /// Radial velocity of its middle.
+    /// Radial velocity of the vehicle's middle.
     pub(crate) velocity_mps: Option<f64>,
     pub(crate) yaw_deg: Option<f64>,
     pub(crate) x_m: Option<f64>,

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 /// Default number of the network's optimizer steps: the paper's number.
 pub const PAPER_ITERATIONS: u32 = 1440;
 
-/// Learners.
+/// Method by which a classifier is learned.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Learner {
     /// Boosted trees on features of signatures.

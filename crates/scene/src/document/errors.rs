@@ -47,7 +47,7 @@ pub struct SceneError {
     pub position: Option<Position>,
     /// The table or target concerned.
     pub place: Place,
-    /// Broken rule.
+    /// Rule that the scene breaks.
     pub rule: Rule,
 }
 
@@ -114,9 +114,9 @@ pub enum Place {
 /// An axis of a range-Doppler map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MapAxis {
-    /// Chirps.
+    /// Axis of chirps.
     Doppler,
-    /// Samples.
+    /// Axis of samples.
     Range,
 }
 
@@ -155,7 +155,7 @@ pub enum Rule {
     /// A key that does not exist here.
     #[error("unknown key `{found}`{}{}", nearest_key(.nearest), of_table(.home))]
     UnknownKey {
-        /// Key as written.
+        /// Key in the file.
         found: String,
         /// Key with a similar spelling, or the key for another program's name.
         nearest: Option<&'static str>,
@@ -165,7 +165,7 @@ pub enum Rule {
     /// A key that exists in another table.
     #[error("unknown key `{found}` here; it belongs into {table}")]
     WrongTable {
-        /// Key as written.
+        /// Key in the file.
         found: String,
         /// Heading of the table where the key belongs, as in the file.
         table: &'static str,
@@ -173,7 +173,7 @@ pub enum Rule {
     /// A key that exists, but does not apply here.
     #[error("key `{key}` has no meaning for {owner}")]
     Misplaced {
-        /// Key as written.
+        /// Name of the key in the file.
         key: &'static str,
         /// Kind of body, model or setting to which the key does not apply.
         owner: &'static str,
@@ -191,7 +191,7 @@ pub enum Rule {
         key: &'static str,
         /// Type of value that the key takes.
         expected: &'static str,
-        /// Type of the value.
+        /// Type of value in the file.
         found: &'static str,
     },
     /// A list of the wrong length.
@@ -201,7 +201,7 @@ pub enum Rule {
         key: &'static str,
         /// Number of values that the key takes.
         expected: Allowed,
-        /// Number of values given.
+        /// Number of values in the file.
         found: usize,
     },
     /// A number outside the allowed range, or not finite.
@@ -225,7 +225,7 @@ pub enum Rule {
     UnknownWord {
         /// Name of the key.
         key: &'static str,
-        /// Word as written.
+        /// Word in the file.
         found: String,
         /// Words that the key takes.
         known: Vec<&'static str>,
@@ -261,13 +261,13 @@ pub enum Rule {
     BadName {
         /// Name of the key.
         key: &'static str,
-        /// Name as written.
+        /// Name in the file.
         found: String,
     },
     /// Two bodies of one name.
     #[error("id `{id}` is taken by the one in line {first_line}")]
     DuplicateId {
-        /// The id.
+        /// Id that both bodies have.
         id: String,
         /// Line of the body that had the id first.
         first_line: u32,
@@ -278,7 +278,7 @@ pub enum Rule {
     /// A sweep that ends at zero or below, or beyond any radar's frequencies.
     #[error("the sweep ends at {} GHz; with `slope_mhz_per_us` it must end {allowed} GHz", WrittenNumber(*.end_ghz))]
     SweepTooLong {
-        /// Frequency of the last sample.
+        /// Frequency of the last sample, GHz.
         end_ghz: f64,
         /// Frequencies at which the sweep may end, GHz.
         allowed: Allowed,
@@ -286,7 +286,7 @@ pub enum Rule {
     /// A phase rotation from chirp to chirp is not equivalent to a velocity if the chirp intervals vary.
     #[error("`stagger_us` and the multiplexing `{multiplexing}` exclude one another")]
     StaggeredDivision {
-        /// Multiplexing as written.
+        /// Word for the multiplexing in the file.
         multiplexing: &'static str,
     },
     /// A cube beyond the memory of the stages.
@@ -300,7 +300,7 @@ pub enum Rule {
         chirps: u64,
         /// Number of samples of each chirp.
         samples: u64,
-        /// Largest number of values.
+        /// Largest number of values in a frame.
         limit: u64,
     },
     /// An array with more directions than are searched.
@@ -354,9 +354,9 @@ pub enum Rule {
     /// Lanes that share ground.
     #[error("lanes {first} and {second} overlap: centres {distance_m} m apart, {width_m} m wide")]
     LanesOverlap {
-        /// Number of one.
+        /// Number of one of the lanes.
         first: usize,
-        /// Number of the other.
+        /// Number of the other lane.
         second: usize,
         /// Distance between the lanes' centres, m.
         distance_m: f64,
@@ -374,7 +374,7 @@ pub enum Rule {
     /// A lane that the intersection does not have.
     #[error("lane {lane} does not exist; lanes are numbered 1 to {lanes}")]
     UnknownLane {
-        /// Requested lane.
+        /// Number of the lane that is asked for.
         lane: u64,
         /// Number of lanes.
         lanes: usize,
@@ -388,7 +388,7 @@ pub enum Rule {
     /// A radar that the scene does not have.
     #[error("there is no radar `{found}`; {}", those_there(.known))]
     UnknownRadar {
-        /// Requested radar.
+        /// Name of the radar that is asked for.
         found: String,
         /// Names of those in the scene; none if `[radar]` is the only one.
         known: Vec<String>,
@@ -406,7 +406,7 @@ pub enum Rule {
     /// Neither a file of a known format nor one of the project's own models.
     #[error("model `{found}` is neither a .glb, .gltf, .stl, .obj or .xoma file nor one of the project's {own}{}", nearest_key(.nearest))]
     UnknownModel {
-        /// Model as written.
+        /// Name of the model in the file.
         found: String,
         /// Group of the project's own models that it could be from: vehicles or street furniture.
         own: &'static str,
@@ -418,13 +418,13 @@ pub enum Rule {
         "the models up to this one have more than {limit} triangles together, the most that a scene may have"
     )]
     TooManyTriangles {
-        /// Largest number of triangles.
+        /// Largest number of triangles of a scene.
         limit: usize,
     },
     /// The name is not in the table of permittivities.
     #[error("there is no substance `{found}`{}; docs/materials.md has them all", nearest_key(.nearest))]
     UnknownSubstance {
-        /// Substance as written.
+        /// Name of the substance in the file.
         found: String,
         /// Substance with a similar spelling.
         nearest: Option<&'static str>,
@@ -452,7 +452,7 @@ pub enum Rule {
     /// The name is not a type of OSI's moving objects.
     #[error("OSI has no type `{found}` of moving objects{}", nearest_key(.nearest))]
     UnknownObjectType {
-        /// Type as written.
+        /// Name of the type in the file.
         found: String,
         /// Type with a similar spelling.
         nearest: Option<&'static str>,
@@ -460,7 +460,7 @@ pub enum Rule {
     /// Two names of one type of OSI's moving objects.
     #[error("`{found}` is one of two names here of the type `{told}`")]
     SameObjectType {
-        /// Type as written.
+        /// Name of the type in the file.
         found: String,
         /// Name under which its objects are recorded.
         told: String,

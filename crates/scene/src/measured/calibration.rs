@@ -49,7 +49,7 @@ pub struct CalibrationFileError {
     pub file: PathBuf,
     /// Line of the file, from 1; 0 if no line is at fault.
     pub line: u32,
-    /// Broken rule.
+    /// Rule that the file breaks.
     pub rule: CalibrationRule,
 }
 
@@ -74,7 +74,7 @@ pub enum CalibrationRule {
         "must be tx,rx,gain_db,phase_deg: two counts from 0, a gain within ±60, a phase within ±360; is `{found}`"
     )]
     NotNumbers {
-        /// The line.
+        /// Text of the line.
         found: String,
     },
     /// A pair of another array.
@@ -82,9 +82,9 @@ pub enum CalibrationRule {
         "there is no pair {tx},{rx}: the array has {transmitters} transmit and {receivers} receive elements, counted from 0"
     )]
     NoSuchPair {
-        /// Transmit element.
+        /// Index of the pair's transmit element, from 0.
         tx: usize,
-        /// Receive element.
+        /// Index of the pair's receive element, from 0.
         rx: usize,
         /// Number of transmit elements of the scene's array.
         transmitters: usize,
@@ -94,17 +94,17 @@ pub enum CalibrationRule {
     /// A pair with two lines.
     #[error("the pair {tx},{rx} is told twice")]
     ToldTwice {
-        /// Transmit element.
+        /// Index of the pair's transmit element, from 0.
         tx: usize,
-        /// Receive element.
+        /// Index of the pair's receive element, from 0.
         rx: usize,
     },
     /// A pair without a line.
     #[error("the pair {tx},{rx} is missing")]
     Missing {
-        /// Transmit element.
+        /// Index of the pair's transmit element, from 0.
         tx: usize,
-        /// Receive element.
+        /// Index of the pair's receive element, from 0.
         rx: usize,
     },
 }

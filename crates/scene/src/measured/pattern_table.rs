@@ -40,7 +40,7 @@ pub struct PatternFileError {
     pub file: PathBuf,
     /// Line of the file, from 1; 0 if no line is at fault.
     pub line: u32,
-    /// Broken rule.
+    /// Rule that the file breaks.
     pub rule: PatternRule,
 }
 
@@ -56,7 +56,7 @@ pub enum PatternRule {
     /// A line is not three numbers.
     #[error("must be three numbers az_deg,el_deg,gain_db, is `{found}`")]
     NotNumbers {
-        /// The line.
+        /// Text of the line.
         found: String,
     },
     /// An angle or a gain outside its range.
@@ -64,9 +64,9 @@ pub enum PatternRule {
     OutOfRange {
         /// Name of the column.
         column: &'static str,
-        /// Value as read.
+        /// Value in the file.
         found: f64,
-        /// Largest allowed magnitude.
+        /// Largest magnitude that the column may hold.
         limit: f64,
     },
     /// A direction with two gains.
@@ -84,7 +84,7 @@ pub enum PatternRule {
     TooFew {
         /// Name of the axis.
         column: &'static str,
-        /// Number of its values.
+        /// Number of different values on the axis.
         found: usize,
     },
     /// The directions form neither a table nor cuts.

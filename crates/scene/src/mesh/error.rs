@@ -10,7 +10,7 @@ use std::path::PathBuf;
 /// A mesh file that was refused or could not be read.
 #[derive(Debug)]
 pub struct MeshError {
-    /// The file.
+    /// File of the mesh.
     pub file: PathBuf,
     /// Place in the file.
     pub place: MeshPlace,
@@ -173,13 +173,13 @@ pub enum MeshFault {
     /// The file is of another major version.
     #[error("is glTF {found}; version 2 is read")]
     Version {
-        /// Version as written.
+        /// Version of glTF in the file.
         found: String,
     },
     /// An extension is required that is needed for understanding the geometry.
     #[error("needs the extension `{0}`, which is not supported")]
     Extension(String),
-    /// Compressed geometry.
+    /// Geometry compressed by an extension, which is named.
     #[error("is compressed by `{0}`; write it without compression")]
     Compressed(String),
     /// A reference to a missing item.
@@ -223,7 +223,7 @@ pub enum MeshFault {
     /// An accessor of the wrong kind.
     #[error("must hold {expected}")]
     AccessorType {
-        /// Required kind.
+        /// Kind of elements that the accessor must hold.
         expected: &'static str,
     },
     /// An accessor without elements.

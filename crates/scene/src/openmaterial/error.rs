@@ -9,7 +9,7 @@ use std::path::PathBuf;
 /// A file of OpenMATERIAL 3D that was refused or could not be read.
 #[derive(Debug)]
 pub struct OpenMaterialError {
-    /// The file.
+    /// File of the asset.
     pub file: PathBuf,
     /// Keys and indices, from 0, of the place; empty for the whole file.
     pub place: String,
@@ -72,7 +72,7 @@ pub enum OpenMaterialFault {
     OutOfRange {
         /// Quantity and its unit.
         what: &'static str,
-        /// Number found.
+        /// Number in the file.
         found: f64,
         /// Range of the quantity.
         allowed: Allowed,
@@ -92,7 +92,7 @@ pub enum OpenMaterialFault {
     /// A reference to a file of another kind.
     #[error("`{found}` must end in `{ending}`")]
     Ending {
-        /// Reference as written.
+        /// Reference in the file.
         found: String,
         /// Ending required by the standard.
         ending: &'static str,

@@ -86,11 +86,11 @@ impl ToldVelocity {
 #[derive(Debug, thiserror::Error)]
 #[error("{}:{place}: {rule}", file.display())]
 pub struct FcdError {
-    /// The recording.
+    /// File of the recording.
     pub file: PathBuf,
     /// Place in the recording.
     pub place: RecordingPlace,
-    /// Broken rule.
+    /// Rule that the recording breaks.
     pub rule: Box<FcdRule>,
 }
 
@@ -176,11 +176,11 @@ pub enum FcdRule {
         "from {begin_s} s on, every {interval_s} s, it holds more than {limit} frames: say `frames`, `end_s` or a longer `frame_interval_s`"
     )]
     TooManyFrames {
-        /// Time of the first frame.
+        /// Time of the first frame, s.
         begin_s: f64,
         /// Interval from one frame to the next.
         interval_s: f64,
-        /// Largest number of frames.
+        /// Largest number of frames of a run.
         limit: u32,
     },
     /// More poses of vehicles are in view than memory should hold.
@@ -213,17 +213,17 @@ pub enum FcdRule {
         id: Option<String>,
         /// Name of the attribute.
         attribute: &'static str,
-        /// Value as written.
+        /// Value in the file.
         found: String,
-        /// Allowed values.
+        /// Values that the attribute may have, in words.
         allowed: &'static str,
     },
     /// Time that does not increase.
     #[error("the step's time {found_s} s does not come after {before_s} s")]
     TimeNotGrowing {
-        /// Time of this step.
+        /// Time of the step, s.
         found_s: f64,
-        /// Time of the step before.
+        /// Time of the step before, s.
         before_s: f64,
     },
     /// Two vehicles of one name in one step.
@@ -260,13 +260,13 @@ pub enum FcdRule {
         "the recording runs from {first_s} s to {last_s} s; frames from {begin_s} s to {end_s} s were asked for"
     )]
     OutsideRecording {
-        /// Time of the first step.
+        /// Time of the first step, s.
         first_s: f64,
         /// Time of the last step read.
         last_s: f64,
-        /// Time of the first frame.
+        /// Time of the first frame, s.
         begin_s: f64,
-        /// Time of the last frame.
+        /// Time of the last frame, s.
         end_s: f64,
     },
     /// An `end_s` before the recording begins.
@@ -276,9 +276,9 @@ pub enum FcdRule {
     EndsBeforeRecording {
         /// Latest time of the last frame.
         end_s: f64,
-        /// Time of the first step.
+        /// Time of the first step, s.
         first_s: f64,
-        /// Time of the last step.
+        /// Time of the last step, s.
         last_s: f64,
     },
     /// Frames of which the last is later than `end_s`.
@@ -289,13 +289,13 @@ pub enum FcdRule {
     FramesBeyondEnd {
         /// Number of requested frames.
         frames: u32,
-        /// Time of the first frame.
+        /// Time of the first frame, s.
         begin_s: f64,
-        /// Time of the last frame.
+        /// Time of the last frame, s.
         found_s: f64,
         /// Latest time of the last frame.
         end_s: f64,
-        /// Time of the first step.
+        /// Time of the first step, s.
         first_s: f64,
         /// Time of the last step read.
         last_s: f64,
@@ -367,7 +367,7 @@ impl FcdReader {
         Ok(Self { file: file.to_owned(), text, order: StepOrder::default(), place: FcdPlace::Before })
     }
 
-    /// The recording.
+    /// File of the recording.
     pub fn file(&self) -> &Path {
         &self.file
     }

@@ -16,11 +16,11 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, thiserror::Error)]
 #[error("{}:{line}: {rule}", file.display())]
 pub struct NetError {
-    /// The network.
+    /// File of the network.
     pub file: PathBuf,
     /// Line of the unpacked text, from 1.
     pub line: u64,
-    /// Broken rule.
+    /// Rule that the network breaks.
     pub rule: NetRule,
 }
 
@@ -61,9 +61,9 @@ pub enum NetRule {
         id: Option<String>,
         /// Name of the attribute.
         attribute: &'static str,
-        /// Value as written.
+        /// Value in the file.
         found: String,
-        /// Allowed values.
+        /// Values that the attribute may have, in words.
         allowed: &'static str,
     },
     /// The network has more lanes than can be counted.

@@ -181,7 +181,7 @@ pub struct Table {
 }
 
 impl Table {
-    /// Names of its keys.
+    /// Names of the table's keys.
     pub fn names(&self) -> impl Iterator<Item = &'static str> + use<> {
         self.keys.iter().map(|key| key.name())
     }
