@@ -19,7 +19,7 @@ mod training;
 use crate::cli::CiArguments;
 use crate::study;
 use commands::{Tally, counted, finished};
-use outside::{engines, interchange, python, report_view, site, training_sets};
+use outside::{engines, installed, interchange, python, report_view, site, training_sets};
 use std::process::Command;
 use std::time::Instant;
 use training::Training;
@@ -48,16 +48,17 @@ const CHEAP: [(&str, Check); 12] = [
 const WHOLE: [(&str, Check); 7] = [
     ("lints", |_| cargo(&["clippy", "--release", "--all-targets", "--", "-D", "warnings"])),
     ("docs", |_| documentation()),
-    ("a crate outside (README)", |_| outside::check()),
+    ("a crate outside (docs/install.md)", |_| outside::check()),
     ("tests and doctests (README)", |tally| readme::tests(tally)),
     ("real capture", |_| study::compare("real-captures")),
     ("engines", engines::check),
     ("main job (README)", |_| readme::main_job()),
 ];
 
-/// Checks with third-party programs, each with a build or programs of its own: run by name, or all of them by
-/// `beside`, but not by `ci` as a whole, which would take half as long again.
-const BESIDE: [(&str, Check); 5] = [
+/// Checks of the installed program and with third-party programs, each with a build or programs of its own:
+/// run by name, or all of them by `beside`, but not by `ci` as a whole, which would take half as long again.
+const BESIDE: [(&str, Check); 6] = [
+    ("install", |_| installed::check()),
     ("osi", interchange::check),
     ("sets", training_sets::check),
     ("python", python::check),

@@ -204,7 +204,7 @@ pub(crate) struct DistArguments {
 #[derive(Debug, Args)]
 pub(crate) struct CiArguments {
     /// Runs the cheap checks of all, then lints and tests of this crate alone; or one check beside them all,
-    /// by name: `engines`, `osi`, `sets`, `python`, `report`.
+    /// by name: `engines`, `install`, `osi`, `sets`, `python`, `report`, `site`, or the last six as `beside`.
     #[arg(long, value_name = "CRATE")]
     pub(crate) only: Option<String>,
 }

@@ -23,10 +23,10 @@ pub(crate) fn run(arguments: &FuzzLedgerArguments) -> Result<(), Failure> {
     let mut text = read_own(&ledger)?;
     for log in &arguments.logs {
         let added = read_text(log)?;
-        sums(&format!("{COLUMNS}\n{added}")).map_err(|rule| refused(log, &rule))?;
+        sums(log, &format!("{COLUMNS}\n{added}"))?;
         text += &added;
     }
-    let all = sums(&text).map_err(|rule| refused(&ledger, &rule))?;
+    let all = sums(&ledger, &text)?;
     let made =
         with_table(&read_own(&page)?, &all).ok_or_else(|| refused(&page, "has no place for the table"))?;
     files::write_file(&ledger, text.as_bytes())?;
@@ -53,15 +53,15 @@ struct Sum {
     peak_mib: u64,
 }
 
-/// Sums of a ledger by reader.
-fn sums(text: &str) -> Result<BTreeMap<String, Sum>, String> {
+/// Sums by reader of a ledger, which is the text of `file`.
+fn sums(file: &Path, text: &str) -> Result<BTreeMap<String, Sum>, Failure> {
     let mut all: BTreeMap<String, Sum> = BTreeMap::new();
     let mut lines = text.lines();
     if lines.next() != Some(COLUMNS) {
-        return Err(format!("does not begin with {COLUMNS}"));
+        return Err(refused(file, &format!("does not begin with {COLUMNS}")));
     }
     for (line, number) in lines.zip(2..) {
-        let rule = || format!("line {number}: is no line of a log: {line}");
+        let rule = || refused(file, &format!("line {number}: is no line of a log: {line}"));
         let (reader, part) = entry(line).ok_or_else(rule)?;
         all.entry(reader).or_default().add(part);
     }
@@ -135,7 +135,7 @@ mod tests {
     fn lines_of_several_runs_add_up_by_reader() {
         let text =
             format!("{COLUMNS}\nfcd,2,10,4,6,1.5000,30\nobj,1,5,5,0,0.2500,20\nfcd,1,10,1,9,0.5000,40\n");
-        let all = sums(&text).unwrap();
+        let all = sums(Path::new(LEDGER), &text).unwrap();
         let fcd = Sum { seeds: vec![1, 2], cases: 20, read: 5, refused: 15, minutes: 2.0, peak_mib: 40 };
         assert_eq!((all.len(), &all["fcd"]), (2, &fcd));
         assert_eq!(fcd.row("fcd"), ["fcd", "2.0", "20", "5", "15", "40", "1, 2"]);
@@ -143,21 +143,23 @@ mod tests {
 
     #[test]
     fn what_is_no_line_of_a_log_is_refused_with_its_number() {
+        let log = Path::new("fuzz.log");
         for (bad, rule) in [
-            ("fcd,2,10,4,6,1.5\n", "line 2"),
-            ("fcd,2,10,4,7,1.5,30\n", "line 2"),
-            ("fcd,2,10,4,6,nan,30\n", "line 2"),
+            ("fcd,2,10,4,6,1.5\n", "fuzz.log: line 2"),
+            ("fcd,2,10,4,7,1.5,30\n", "fuzz.log: line 2"),
+            ("fcd,2,10,4,6,nan,30\n", "fuzz.log: line 2"),
         ] {
-            let told = sums(&format!("{COLUMNS}\n{bad}")).unwrap_err();
+            let told = sums(log, &format!("{COLUMNS}\n{bad}")).unwrap_err().to_string();
             assert!(told.contains(rule), "{told}");
         }
-        assert!(sums("fcd,2,10,4,6,1.5,30\n").is_err(), "the head is missing");
+        assert!(sums(log, "fcd,2,10,4,6,1.5,30\n").is_err(), "the head is missing");
     }
 
     #[test]
     fn the_table_of_the_page_is_that_of_the_ledger() {
         let page = read_own(&project_root().join(PAGE)).unwrap();
-        let all = sums(&read_own(&project_root().join(LEDGER)).unwrap()).unwrap();
+        let ledger = project_root().join(LEDGER);
+        let all = sums(&ledger, &read_own(&ledger).unwrap()).unwrap();
         assert!(with_table(&page, &all).unwrap() == page, "cargo xtask fuzz-ledger makes it anew");
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::project::project_root;
 use std::io::{BufRead, BufReader};
+use std::path::Path;
 use std::process::{Command, Stdio};
 use wayside::host::failure::Failure;
 use wayside::program::terminal;
@@ -39,8 +40,13 @@ pub(super) fn before(line: &str, word: &str) -> u64 {
 
 /// Runs a command in the project's root, and fails unless it succeeds.
 pub(super) fn finished(command: &mut Command) -> Result<(), Failure> {
+    finished_in(&project_root(), command)
+}
+
+/// Runs a command in a folder, and fails unless it succeeds.
+pub(super) fn finished_in(folder: &Path, command: &mut Command) -> Result<(), Failure> {
     let words = said(command);
-    let status = command.current_dir(project_root()).stdin(Stdio::null()).status();
+    let status = command.current_dir(folder).stdin(Stdio::null()).status();
     match status {
         Ok(status) if status.success() => Ok(()),
         Ok(status) => Err(Failure::Refused(format!("`{words}` ended with {status}"))),

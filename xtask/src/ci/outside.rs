@@ -1,7 +1,8 @@
-//! A crate outside the workspace that depends on `wayside` by its path, with the README's Rust example: the
-//! public interface must compile for users of the library too.
+//! A crate outside the workspace that depends on `wayside` by its path, with the Rust example of the page on
+//! installing: the public interface must compile for users of the library too.
 
 mod interpreter; // a Python with its own packages
+pub(super) mod installed; // the program by `cargo install`, in an empty folder
 pub(super) mod engines; // datasets and sweeps on existing engines
 pub(super) mod interchange; // messages with the official packages, traffic from SUMO
 pub(super) mod training_sets; // frames in the layouts of public datasets
@@ -16,13 +17,14 @@ use std::path::Path;
 use std::process::Command;
 use wayside::host::failure::Failure;
 
-/// Mark of the README's example.
+/// Page with the example.
+const PAGE: &str = "docs/install.md";
+/// Mark of the example.
 const MARK: &str = "```rust,no_run\n";
 
 pub(super) fn check() -> Result<(), Failure> {
     let (root, folder) = (project_root(), project_root().join("target/outside"));
-    let lines = example(&read(&root.join("README.md"))?)?;
-    write(&folder.join("src/main.rs"), &program(&lines))?;
+    write(&folder.join("src/main.rs"), &program(&block(PAGE, MARK)?))?;
     let workspace = read(&root.join("Cargo.toml"))?;
     write(&folder.join("Cargo.toml"), &manifest(&root, profiles(&workspace)))?;
     // The same versions as here; the workspace's downloads suffice.
@@ -41,11 +43,16 @@ fn profiles(workspace: &str) -> &str {
     &workspace[from..to]
 }
 
-/// The first block of Rust.
-fn example(readme: &str) -> Result<String, Failure> {
-    let block = readme.split_once(MARK).and_then(|(_, rest)| rest.split_once("```"));
-    let block = block.ok_or_else(|| Failure::refused("README.md: a block of Rust is promised"))?;
-    Ok(block.0.to_owned())
+/// Lines of the first block of a page that begins with a mark.
+fn block(page: &str, mark: &str) -> Result<String, Failure> {
+    let text = read(&project_root().join(page))?;
+    let promised = || Failure::Refused(format!("{page}: a block that begins with {mark:?} is promised"));
+    lines_of(&text, mark).map(str::to_owned).ok_or_else(promised)
+}
+
+fn lines_of<'a>(text: &'a str, mark: &str) -> Option<&'a str> {
+    let (_, rest) = text.split_once(mark)?;
+    rest.split_once("```").map(|(lines, _)| lines)
 }
 
 fn program(lines: &str) -> String {
@@ -72,11 +79,18 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_example_of_the_readme_is_the_body_of_a_program() {
-        let readme = format!("text\n{MARK}let a = 1;\n```\n```rust\nother\n```\n");
-        let program = program(&example(&readme).unwrap());
+    fn the_example_of_the_page_is_the_body_of_a_program() {
+        let page = format!("text\n{MARK}let a = 1;\n```\n```rust\nother\n```\n");
+        let program = program(lines_of(&page, MARK).unwrap());
         assert_eq!(program, "fn main() -> Result<(), wayside::Failure> {\nlet a = 1;\n    Ok(())\n}\n");
-        assert!(example("no block").is_err());
+        assert_eq!(lines_of("no block", MARK), None);
+    }
+
+    #[test]
+    fn the_page_on_installing_has_the_example() {
+        assert!(block(PAGE, MARK).unwrap().contains("wayside::run("));
+        let missing = block(PAGE, "```no such block\n").unwrap_err().to_string();
+        assert!(missing.starts_with(PAGE), "{missing}");
     }
 
     #[test]

@@ -11,14 +11,15 @@ pub(crate) struct SourceFile {
     /// Remaining text without comments, strings and scopes.
     pub(crate) text: String,
     lines: usize,
+    product: usize,
+    /// Names of its modules of tests that are files.
+    tests: Vec<String>,
 }
 
 impl SourceFile {
     /// Reads `place`, which is below the crate's `source`.
     pub(crate) fn read(source: &Path, place: &Path) -> Result<Self, Failure> {
         let text = std::fs::read_to_string(place).map_err(|e| Failure::system(place, "read", e))?;
-        let lines =
-            text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("//")).count();
         let mut module: Vec<String> = place
             .strip_prefix(source)
             .unwrap_or(place)
@@ -29,11 +30,14 @@ impl SourceFile {
         if matches!(module.as_slice(), [root] if root == "lib" || root == "main") {
             module.clear();
         }
+        let plain = stripped(&text);
         Ok(Self {
             place: place.to_owned(),
             module,
-            text: in_own_words(&without_scopes(&stripped(&text))),
-            lines,
+            text: in_own_words(&without_scopes(&plain)),
+            lines: code_lines(&text),
+            product: code_lines(split_at_tests(&text).0),
+            tests: files_of_tests(&plain),
         })
     }
 
@@ -41,6 +45,38 @@ impl SourceFile {
     pub(crate) fn code_lines(&self) -> usize {
         self.lines
     }
+
+    /// Lines of code before the file's module of tests.
+    pub(crate) fn product_lines(&self) -> usize {
+        self.product
+    }
+
+    /// Its modules of tests that are files, from the crate's root.
+    pub(crate) fn modules_of_tests(&self) -> Vec<Vec<String>> {
+        self.tests.iter().map(|name| [self.module.as_slice(), &[name.clone()]].concat()).collect()
+    }
+}
+
+fn code_lines(text: &str) -> usize {
+    text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("//")).count()
+}
+
+/// Attribute of modules of tests.
+const OF_TESTS: &str = "#[cfg(test)]\n";
+
+/// The text before the file's module of tests, and that module.
+fn split_at_tests(text: &str) -> (&str, &str) {
+    let mut places = text.match_indices(OF_TESTS).map(|(at, _)| at);
+    let is_module = |line: &str| line.starts_with("mod ") && is_open(line);
+    let with_body = places.find(|at| text[*at..].lines().nth(1).is_some_and(is_module));
+    text.split_at(with_body.unwrap_or(text.len()))
+}
+
+/// Names of modules of tests that are declared in a text without comments and strings, and are files.
+fn files_of_tests(text: &str) -> Vec<String> {
+    let declared = text.split(OF_TESTS).skip(1).filter_map(|behind| behind.lines().next());
+    let names = declared.filter_map(|line| line.split_once("mod ")?.1.split_once(';'));
+    names.map(|(name, _)| name.to_owned()).collect()
 }
 
 /// Removes the paths of `pub(in path)`, which are not uses.
@@ -52,12 +88,7 @@ fn without_scopes(text: &str) -> String {
 
 /// Replaces `super` in the file's module of tests, where it means the file itself, by `self`.
 fn in_own_words(text: &str) -> String {
-    let modules = text.match_indices("#[cfg(test)]\nmod ").map(|(at, _)| at);
-    let mut with_body = modules.filter(|at| text[*at..].lines().nth(1).is_some_and(is_open));
-    let Some(at) = with_body.next() else {
-        return text.to_owned();
-    };
-    let (own, tests) = text.split_at(at);
+    let (own, tests) = split_at_tests(text);
     let tests =
         tests.replace("super::super::", "\u{1}").replace("super::", "self::").replace('\u{1}', "super::");
     format!("{own}{tests}")
@@ -120,6 +151,21 @@ mod tests {
     fn names_in_comments_and_strings_are_no_names() {
         let text = "use a::b; // crate::c\nlet x = \"crate::\\\"d\"; let y = '\"'; fn f<'l>(z: &'l str) { 'n' / e::f }\n";
         assert_eq!(stripped(text), "use a::b; \nlet x = ; let y = ; fn f<'l>(z: &'l str) {  / e::f }\n");
+    }
+
+    #[test]
+    fn lines_of_tests_are_no_lines_of_the_product() {
+        let text = "mod a;\n#[cfg(test)]\npub(crate) mod test_body; // shared\n\
+                    #[cfg(test)]\nmod tests {\n    use super::*;\n}\n";
+        let folder = tempfile::tempdir().unwrap();
+        let place = folder.path().join("rooms.rs");
+        std::fs::write(&place, text).unwrap();
+        let file = SourceFile::read(folder.path(), &place).unwrap();
+        assert_eq!((file.code_lines(), file.product_lines()), (7, 3));
+        assert_eq!(file.modules_of_tests(), [["rooms", "test_body"]]);
+        std::fs::write(&place, "fn a() {}\n").unwrap();
+        let file = SourceFile::read(folder.path(), &place).unwrap();
+        assert_eq!((file.code_lines(), file.product_lines()), (1, 1));
     }
 
     #[test]
