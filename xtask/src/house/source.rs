@@ -53,7 +53,7 @@ impl SourceFile {
 
     /// Its modules of tests that are files, from the crate's root.
     pub(crate) fn modules_of_tests(&self) -> Vec<Vec<String>> {
-        self.tests.iter().map(|name| [self.module.as_slice(), &[name.clone()]].concat()).collect()
+        self.tests.iter().map(|name| [self.module.as_slice(), std::slice::from_ref(name)].concat()).collect()
     }
 }
 
