@@ -3,10 +3,7 @@
 use crate::program::export_formats::help_on_formats;
 #[cfg(feature = "classifier")]
 use crate::program::learning_cli::LearningCommand;
-use crate::program::option_words::{
-    AxesWord, EDGES, FormatWord, MethodWord, NODES, POLARIZATIONS, SIDES, SURFACES, TRANSMISSION, boards,
-    iq_orders, lanes, one_of,
-};
+use crate::program::option_words::{AxesWord, FormatWord, MethodWord, boards, iq_orders, lanes, one_of};
 use crate::program::suggestion::suggest;
 use crate::program::terminal::{self, Results};
 use crate::program::values::{Axis, Place, Shard};
@@ -14,7 +11,9 @@ use crate::program::values::{
     accuracy_db, azimuth_deg, azimuths, density, elevation_deg, elevations, frequencies, place, range,
 };
 use crate::program::values::{full_scale, scale, shard, step};
+use crate::stepwise::DENSITY_PER_WAVELENGTH;
 use crate::stepwise::bounds::BOUNCES;
+use crate::stepwise::table_words::{EDGES, NODES, POLARIZATIONS, SIDES, SURFACES, TRANSMISSION};
 use artifact::material::Transmission;
 use artifact::radar::Polarization;
 use artifact::seed::SEEDS;
@@ -282,7 +281,7 @@ impl RcsArguments {
 
     /// Samples or rays per wavelength of the references.
     pub(crate) fn density(&self) -> f64 {
-        self.density.unwrap_or(6.0)
+        self.density.unwrap_or(DENSITY_PER_WAVELENGTH)
     }
 
     /// Allowed relative amplitude error, dB.
