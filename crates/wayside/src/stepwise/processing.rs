@@ -22,8 +22,8 @@ pub struct Processing {
 }
 
 /// Refusal of maps without samples, whose settings refine points on samples.
-const WITHOUT_SAMPLES: &str = "refine = \"isolated\" in [dsp] refines points on the samples, which maps of a \
-                               file do not have: detect on maps of the cube";
+const WITHOUT_SAMPLES: &str = "refine = \"on\" in [dsp] refines points on the samples, which maps of a file \
+                               do not have: detect on maps of the cube";
 
 /// Answer of a classifier about an object.
 pub struct Answered {

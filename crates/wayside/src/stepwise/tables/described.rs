@@ -89,7 +89,7 @@ impl TableDescription {
     }
 }
 
-/// Writes S as an array of NumPy, `[frequency, elevation, azimuth]`; an earlier description is removed before.
+/// Writes S as NumPy's array `[frequency, elevation, azimuth]`; its earlier description is removed before.
 ///
 /// # Errors
 /// The description beside it is no table's; an error of the system.
