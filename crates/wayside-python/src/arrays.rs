@@ -1,7 +1,7 @@
 //! Vectors as NumPy arrays: what Rust has allocated is Python's from then on, and nothing is copied.
 
 use ndarray::{Array, Dimension, IntoDimension};
-use numpy::{Element, PyArray, PyArray1};
+use numpy::{Element, PyArray, PyArray1, PyUntypedArray};
 use pyo3::PyTypeCheck;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -21,7 +21,12 @@ pub(crate) fn shaped<T: Element, D: Dimension>(
 }
 
 /// Array of which the library has the values in another form: what would be written into it would be lost.
+/// So is the array that its memory is of, by which NumPy would let it be written to again.
 pub(crate) fn read_only<T>(array: Bound<'_, T>) -> PyResult<Bound<'_, T>> {
+    let base = array.as_any().getattr("base")?;
+    if base.is_instance_of::<PyUntypedArray>() {
+        base.call_method1("setflags", (false,))?;
+    }
     array.as_any().call_method1("setflags", (false,))?;
     Ok(array)
 }

@@ -18,6 +18,11 @@ use std::sync::Arc;
 use wayside::stepwise::{Processing, Recorded, cubes_of_samples};
 
 /// Radar data cubes of the frames of a scene, √W or what was imported.
+///
+/// `Cube(samples, scene)` makes them of anybody's samples: complex values [frame, channel, chirp, sample], or
+/// of one frame [channel, chirp, sample]; `scene` is a Scene, a path or a dictionary and says what the radar
+/// is. Their unit is what `import` takes it for: steps of a converter where `full_scale`, the largest part of
+/// a sample, is told, or all samples are whole numbers; else √W.
 #[pyclass(frozen, module = "wayside")]
 pub(crate) struct Cube {
     samples: Arc<Samples>,
@@ -91,7 +96,7 @@ impl Cube {
         Self::of(py, artifacts::read(py, &file)?)
     }
 
-    /// Writes a `.cube` artifact, the bytes of `wayside echo`.
+    /// Writes a `.cube` artifact, the bytes of `wayside echo`; another format's ending is refused.
     #[pyo3(signature = (file))]
     fn write(&self, py: Python<'_>, file: PathBuf) -> PyResult<()> {
         artifacts::write(py, &self.samples.recorded(py)?, &file)

@@ -163,19 +163,20 @@ impl Detections {
 
 #[pymethods]
 impl Detections {
-    /// Reads a `.points` artifact.
+    /// Reads a `.points` artifact. Its points have no maps, so `classify` refuses them.
     #[staticmethod]
     #[pyo3(signature = (file))]
     fn read(py: Python<'_>, file: PathBuf) -> PyResult<Self> {
         Ok(Self::of(artifacts::read(py, &file)?, None))
     }
 
-    /// Points of all frames, a `numpy.recarray`: frame, range_m, radial_velocity_mps (receding positive),
-    /// azimuth_rad (from +y towards +x), elevation_rad, position_m [3] in world metres, snr_db, object (index
-    /// among its frame's objects, −1 of a lone one), two_ways_rad [2] (NaN where there are none), stationary
-    /// (1 yes, 0 no, −1 not asked), height (index into `wayside.HEIGHTS`: 2 measured by elevation rows,
-    /// 1 assumed as `assumed_height_m` says, 0 none: no place has that height and the range, z is the radar's
-    /// own). The array is read-only.
+    /// Points of all frames, a read-only `numpy.recarray`: frame, range_m, radial_velocity_mps (receding
+    /// positive), azimuth_rad (from +y towards +x), elevation_rad, position_m [3] in world metres, snr_db,
+    /// object (index among its frame's objects, −1 of a lone one), two_ways_rad [2] (NaN where there are
+    /// none), stationary (1 yes, 0 no, −1 not asked), height.
+    ///
+    /// height is an index into `wayside.HEIGHTS`: 2 measured by elevation rows, 1 assumed as
+    /// `assumed_height_m` says, 0 none: no place has that height and the range, and z is the radar's own.
     #[getter]
     pub(crate) fn points<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.points.view(py, || {
@@ -186,10 +187,10 @@ impl Detections {
         })
     }
 
-    /// Objects of all frames, a `numpy.recarray`: frame, range_m, radial_velocity_mps, azimuth_rad,
+    /// Objects of all frames, a read-only `numpy.recarray`: frame, range_m, radial_velocity_mps, azimuth_rad,
     /// position_m [3], snr_db, points (how many), lane (−1 of none), range_extent_m [2],
     /// velocity_extent_mps [2], velocity_resolved, ghost_share (NaN where the array cannot tell), stationary,
-    /// height (as of points). The array is read-only.
+    /// height (as of points).
     #[getter]
     pub(crate) fn objects<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.objects.view(py, || {
@@ -219,14 +220,16 @@ impl Detections {
         self.classified(py, model, Hears::all(progress))
     }
 
-    /// Writes a `.points` artifact, the bytes of `wayside dsp`.
+    /// Writes a `.points` artifact, the bytes of `wayside dsp`; another format's ending is refused.
     #[pyo3(signature = (file))]
     fn write(&self, py: Python<'_>, file: PathBuf) -> PyResult<()> {
         artifacts::write(py, &self.all, &file)
     }
 
     /// Table of all points, all objects or the objects' classes: `pandas.DataFrame`, where pandas is
-    /// installed. `of` is "points", "objects" or "classes"; `model` and `progress` are those of `classify`.
+    /// installed.
+    ///
+    /// `of` is "points", "objects" or "classes"; `model` and `progress` are those of `classify`.
     #[pyo3(signature = (of="points", *, model=None, progress=None))]
     fn to_pandas<'py>(
         &self,

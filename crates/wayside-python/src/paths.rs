@@ -25,7 +25,7 @@ impl Paths {
         Ok(Self { all: Arc::new(artifacts::read(py, &file)?) })
     }
 
-    /// Writes a `.paths` artifact, the bytes of `wayside paths`.
+    /// Writes a `.paths` artifact, the bytes of `wayside paths`; another format's ending is refused.
     #[pyo3(signature = (file))]
     fn write(&self, py: Python<'_>, file: PathBuf) -> PyResult<()> {
         artifacts::write(py, &self.all, &file)

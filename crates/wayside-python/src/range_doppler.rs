@@ -64,7 +64,8 @@ impl RangeDoppler {
 
 #[pymethods]
 impl RangeDoppler {
-    /// Reads a `.rdm` artifact.
+    /// Reads a `.rdm` artifact. Its maps have no samples, so `detect` refuses them where `refine` of [dsp] is
+    /// "on".
     #[staticmethod]
     #[pyo3(signature = (file))]
     fn read(py: Python<'_>, file: PathBuf) -> PyResult<Self> {
@@ -74,7 +75,7 @@ impl RangeDoppler {
         Self::of(py, recorded, processing, None)
     }
 
-    /// Writes a `.rdm` artifact, the bytes of `wayside dsp`.
+    /// Writes a `.rdm` artifact, the bytes of `wayside dsp`; another format's ending is refused.
     #[pyo3(signature = (file))]
     fn write(&self, py: Python<'_>, file: PathBuf) -> PyResult<()> {
         artifacts::write(py, &self.maps.recorded(py)?, &file)

@@ -81,7 +81,8 @@ impl Rcs {
         Ok(Self::of(description, &amplitude))
     }
 
-    /// Writes the table as `S.npy` and its description as `S.json`, the files of `wayside rcs`.
+    /// Writes the table as `S.npy`, the bytes of `wayside rcs`, and its description as `S.json` beside it;
+    /// another format's ending is refused.
     #[pyo3(signature = (file))]
     fn write(&self, py: Python<'_>, file: PathBuf) -> PyResult<()> {
         let values = self.amplitude.read(py)?.as_slice()?.to_vec();
@@ -156,15 +157,17 @@ impl Rcs {
     }
 }
 
-/// Makes S of a mesh by BART, as `wayside rcs` does: an `Rcs`, whose `s_m` is complex128 [freq, el, az] in
-/// metres. `mesh` is a file (of assets of OpenMATERIAL 3D in their own materials) or the name of an own
-/// vehicle. `freq_ghz` (GHz), `az_deg` and `el_deg` are a number or numbers and become the three axes.
-/// Directions are those of the antenna in body axes, in degrees: `az_deg` 0 before the front, growing
-/// counter-clockwise from above, `el_deg` above the horizon; left out they are 0°, one direction from ahead.
-/// `range_m` is the antenna's distance in metres, infinite for the far field. `rx_az_deg`, `rx_el_deg`
-/// (degrees) and `rx_range_m` are a receiver that stands still elsewhere. `materials` is a file that says
-/// what the mesh's names of materials stand for, else everything conducts; `transmission="on"` follows waves
-/// through its sheets and needs it, "off" lets nothing through.
+/// Makes S of a mesh by BART, as `wayside rcs` does: `s_m` of the result is complex128 [freq, el, az] in
+/// metres.
+///
+/// `mesh` is a file (of assets of OpenMATERIAL 3D in their own materials) or the name of an own vehicle.
+/// `freq_ghz` (GHz), `az_deg` and `el_deg` are a number or numbers and become the three axes. Directions are
+/// those of the antenna in body axes, in degrees: `az_deg` 0 before the front, growing counter-clockwise from
+/// above, `el_deg` above the horizon; left out they are 0°, one direction from ahead. `range_m` is the
+/// antenna's distance in metres, infinite for the far field. `rx_az_deg`, `rx_el_deg` (degrees) and
+/// `rx_range_m` are a receiver that stands still elsewhere. `materials` is a file that says what the mesh's
+/// names of materials stand for, else everything conducts; `transmission="on"` follows waves through its
+/// sheets and needs it, "off" lets nothing through.
 #[pyfunction]
 #[pyo3(signature = (mesh, freq_ghz, az_deg=None, el_deg=None, *, range_m=f64::INFINITY, pol="vv", bounces=3,
     edges="off", nodes="own-edge", surface="flat", sides="two", accuracy_db=-40.0, rx_az_deg=None,
