@@ -53,7 +53,7 @@ NEEDS: dict[tuple[str, str], Callable[[Path], dict[str, Any]]] = {
     ("coming-from.md", "from wayside.compat.radarsimpy import Radar"): nothing,
 }
 LEFT_OUT = {
-    ("training-sets.md", "from loaders import RadDet"): "PyTorch and an exported set, as `ci --only sets` has",
+    ("training-sets.md", "from loaders import RadDet"): "PyTorch and an exported set (`ci --only sets`)",
 }
 # Work of minutes, and what is done instead.
 INSTEAD = {"az_deg=range(360)": "az_deg=range(2)"}
