@@ -2,11 +2,13 @@
 
     python docs/validation/real_captures.py doppler_example_1.npy    writes room.bin (then room.numpy.*)
     python docs/validation/real_captures.py                          writes room.numpy.csv and room.numpy.npy
+    python docs/validation/real_captures.py --out FOLDER             writes these two elsewhere
 
 NumPy alone: no window but Hann's, FFTs over samples, chirps and the eight virtual elements.
+`crates/wayside-python/tests/test_real_capture.py` compares figures made anew with those that are stored.
 """
+import argparse
 import pathlib
-import sys
 
 import numpy as np
 
@@ -39,14 +41,18 @@ def read_recording():
 
 
 def main():
-    if len(sys.argv) > 1:
-        write_recording(sys.argv[1])
+    parser = argparse.ArgumentParser()
+    parser.add_argument("published", nargs="?")
+    parser.add_argument("--out", type=pathlib.Path, default=FOLDER)
+    asked = parser.parse_args()
+    if asked.published:
+        write_recording(asked.published)
     cube = read_recording()
     windowed = cube * hann(CHIRPS)[:, None] * hann(SAMPLES)
     maps = np.fft.fftshift(np.fft.fft2(windowed, axes=(1, 2)), axes=1)
     power = (np.abs(maps) ** 2).mean(axis=0) / (CHIRPS * SAMPLES) ** 2
     level_db = 10 * np.log10(power / 32768.0**2)
-    np.save(FOLDER / "room.numpy.npy", level_db.astype("<f4"))
+    np.save(asked.out / "room.numpy.npy", level_db.astype("<f4"))
     wavelength_m = LIGHT_MPS / (START_HZ + 0.5 * SLOPE * SAMPLES / RATE_HZ)
     cell_m = LIGHT_MPS / (2 * SLOPE * SAMPLES / RATE_HZ)
     cell_mps = wavelength_m / (2 * CHIRPS * INTERVAL_S)
@@ -73,7 +79,7 @@ def main():
     rows.append(("median of the map", "", "", "", f"{np.median(level_db):.3f}", ""))
     table = "".join(",".join(row) + "\n" for row in rows)
     text = f"# numpy {np.__version__}: docs/validation/real_captures.py\n{table}"
-    (FOLDER / "room.numpy.csv").write_text(text)
+    (asked.out / "room.numpy.csv").write_text(text)
     print(text)
 
 

@@ -16,8 +16,8 @@ use wayside::program::terminal;
 
 /// Distributed program: its package, and its features, including those for OSI and ROS 2.
 const PROGRAM: [&str; 2] = ["wayside", "interchange"];
-/// Distributed Python package, with its features.
-const WHEEL: [&str; 2] = ["wayside-python", ""];
+/// Distributed Python package, with its features, likewise.
+const WHEEL: [&str; 2] = ["wayside-python", "interchange"];
 /// Attributions of the classifier's training data, included in both.
 const ATTRIBUTIONS: &str = "fixtures/classifier.attributions.txt";
 /// Files of the project beside the program.

@@ -19,7 +19,7 @@ pub(crate) fn beside(file: &Path) -> PathBuf {
 
 /// `S.npy` → `S.json`, the name of a table's description in `docs/interface.md`; for `S.json` itself
 /// `S.axes.json`.
-pub(crate) fn of_table(table: &Path) -> PathBuf {
+pub fn of_table(table: &Path) -> PathBuf {
     let json = table.with_extension("json");
     if json == table { table.with_extension("axes.json") } else { json }
 }
@@ -70,7 +70,7 @@ fn take_away(place: &Path, file: &Path) -> std::io::Result<()> {
 }
 
 /// Content of a sidecar; `None` if there is no readable one.
-pub(crate) fn read(place: &Path) -> Option<Value> {
+pub fn read(place: &Path) -> Option<Value> {
     text_of(|| artifact::inputs::open(place), place)
 }
 

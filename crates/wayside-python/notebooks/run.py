@@ -1,4 +1,7 @@
-"""Runs every notebook beside this script from its first cell to its last."""
+"""Runs every notebook beside this script from its first cell to its last.
+
+What needs the recording of the sources, `WAYSIDE_CAPTURES`, is run a second time as if it were not there.
+"""
 
 from __future__ import annotations
 
@@ -25,9 +28,13 @@ def run(place: Path) -> None:
 def main() -> None:
     os.environ.setdefault("MPLBACKEND", "agg")
     folder = Path(__file__).resolve().parent
+    captures = os.environ.get("WAYSIDE_CAPTURES", str(folder.parents[2] / "fixtures/captures"))
     asked = [Path(word) for word in sys.argv[1:]]
     for place in asked or sorted(folder.glob("*.ipynb")):
-        run(place)
+        needs_capture = "WAYSIDE_CAPTURES" in place.read_text(encoding="utf-8")
+        for where in [captures, "not-there"] if needs_capture else [captures]:
+            os.environ["WAYSIDE_CAPTURES"] = where
+            run(place)
 
 
 if __name__ == "__main__":

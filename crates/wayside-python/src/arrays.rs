@@ -1,8 +1,10 @@
 //! Vectors as NumPy arrays: what Rust has allocated is Python's from then on, and nothing is copied.
 
 use ndarray::{Array, Dimension, IntoDimension};
-use numpy::{Element, PyArray, PyArray1, ToPyArray};
+use numpy::{Element, PyArray, PyArray1, PyUntypedArray};
+use pyo3::PyTypeCheck;
 use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
 
 /// Array of a vector in a shape, row-major.
 ///
@@ -18,24 +20,48 @@ pub(crate) fn shaped<T: Element, D: Dimension>(
     Ok(PyArray::from_owned_array(py, array))
 }
 
-/// Array that is made when it is asked for, and made anew the next time: what would be written into it would
-/// be lost.
+/// Array of which the library has the values in another form: what would be written into it would be lost.
+/// So is the array that its memory is of, by which NumPy would let it be written to again.
 pub(crate) fn read_only<T>(array: Bound<'_, T>) -> PyResult<Bound<'_, T>> {
+    let base = array.as_any().getattr("base")?;
+    if base.is_instance_of::<PyUntypedArray>() {
+        base.call_method1("setflags", (false,))?;
+    }
     array.as_any().call_method1("setflags", (false,))?;
     Ok(array)
 }
 
-/// Axis of numbers, read-only.
-pub(crate) fn axis<'py>(py: Python<'py>, values: &[f64]) -> PyResult<Bound<'py, PyArray1<f64>>> {
-    read_only(values.to_pyarray(py))
+/// Read-only array that is made when it is first asked for, and kept. Each call gives a new array over the
+/// same memory, whose type and shape are its holder's own.
+pub(crate) struct Kept<T>(PyOnceLock<Py<T>>);
+
+impl<T> Default for Kept<T> {
+    fn default() -> Self {
+        Self(PyOnceLock::new())
+    }
 }
 
-/// Values of a kind, one each, read-only.
-pub(crate) fn each<'py, T: Element>(
-    py: Python<'py>,
-    values: impl Iterator<Item = T>,
-) -> PyResult<Bound<'py, PyArray1<T>>> {
-    read_only(PyArray1::from_vec(py, values.collect()))
+impl<T: PyTypeCheck> Kept<T> {
+    /// Array over the kept memory; `make` makes that the first time.
+    pub(crate) fn view<'py>(
+        &self,
+        py: Python<'py>,
+        make: impl FnOnce() -> PyResult<Bound<'py, T>>,
+    ) -> PyResult<Bound<'py, T>> {
+        let kept = self.0.get_or_try_init(py, || make().and_then(read_only).map(Bound::unbind))?;
+        Ok(kept.bind(py).as_any().call_method0("view")?.cast_into()?)
+    }
+}
+
+impl<T: Element> Kept<PyArray1<T>> {
+    /// Array over kept values of a kind, one each.
+    pub(crate) fn each<'py, I: IntoIterator<Item = T>>(
+        &self,
+        py: Python<'py>,
+        values: impl FnOnce() -> I,
+    ) -> PyResult<Bound<'py, PyArray1<T>>> {
+        self.view(py, || Ok(PyArray1::from_vec(py, values().into_iter().collect())))
+    }
 }
 
 /// Rows of a record array: every field is made of words of 64 bits, so that no field is out of its place.

@@ -1,7 +1,8 @@
 //! Class `Cube`: radar data cubes, simulated or anybody's.
 
-use crate::arrays;
+use crate::arrays::Kept;
 use crate::failure;
+use crate::held::artifacts;
 use crate::held::handle::Handle;
 use crate::held::samples::Samples;
 use crate::range_doppler::RangeDoppler;
@@ -17,15 +18,25 @@ use std::sync::Arc;
 use wayside::stepwise::{Processing, Recorded, cubes_of_samples};
 
 /// Radar data cubes of the frames of a scene, √W or what was imported.
+///
+/// `Cube(samples, scene)` makes them of anybody's samples: complex values [frame, channel, chirp, sample], or
+/// of one frame [channel, chirp, sample]; `scene` is a Scene, a path or a dictionary and says what the radar
+/// is. Their unit is what `import` takes it for: steps of a converter where `full_scale`, the largest part of
+/// a sample, is told, or all samples are whole numbers; else √W.
 #[pyclass(frozen, module = "wayside")]
 pub(crate) struct Cube {
     samples: Arc<Samples>,
+    time_s: Kept<PyArray1<f64>>,
 }
 
 impl Cube {
     /// Hands the cubes over to Python.
     pub(crate) fn of(py: Python<'_>, recorded: Recorded<Schema>) -> PyResult<Self> {
-        Ok(Self { samples: Arc::new(Samples::of(py, recorded)?) })
+        Ok(Self::with(Samples::of(py, recorded)?))
+    }
+
+    fn with(samples: Samples) -> Self {
+        Self { samples: Arc::new(samples), time_s: Kept::default() }
     }
 
     /// Range-Doppler maps of all channels.
@@ -36,7 +47,9 @@ impl Cube {
             let maps = processing.maps(&frames, call_off)?;
             Ok((processing, maps))
         })?;
-        RangeDoppler::of(py, Arc::clone(&self.samples), processing, maps)
+        let Samples { from, header, .. } = &*self.samples;
+        let recorded = Recorded { from: processing.provenance(from), header: header.clone(), frames: maps };
+        RangeDoppler::of(py, recorded, processing, Some(Arc::clone(&self.samples)))
     }
 }
 
@@ -73,23 +86,20 @@ impl Cube {
         let made = cubes_of_samples(&opened, shape, readonly.as_slice()?, full_scale);
         let recorded = made.map_err(|failure| failure::raised(py, &failure, &[read.shown()]))?;
         drop(readonly);
-        Ok(Self { samples: Arc::new(Samples::in_array(recorded, &array)) })
+        Ok(Self::with(Samples::in_array(recorded, &array)))
     }
 
     /// Reads a `.cube` artifact.
     #[staticmethod]
     #[pyo3(signature = (file))]
     fn read(py: Python<'_>, file: PathBuf) -> PyResult<Self> {
-        let read = py.detach(|| Recorded::read(&file));
-        Self::of(py, read.map_err(|failure| failure::raised(py, &failure, &[Some(&file)]))?)
+        Self::of(py, artifacts::read(py, &file)?)
     }
 
-    /// Writes a `.cube` artifact, the bytes of `wayside echo`.
+    /// Writes a `.cube` artifact, the bytes of `wayside echo`; another format's ending is refused.
     #[pyo3(signature = (file))]
     fn write(&self, py: Python<'_>, file: PathBuf) -> PyResult<()> {
-        let recorded = self.samples.recorded(py)?;
-        let written = py.detach(|| recorded.write(&file));
-        written.map_err(|failure| failure::raised(py, &failure, &[Some(&file)]))
+        artifacts::write(py, &self.samples.recorded(py)?, &file)
     }
 
     /// Unit of the samples: "sqrt(W)", or "ADC steps" of a file that was imported so.
@@ -107,7 +117,7 @@ impl Cube {
     /// Times of the frames' first samples, s, float64 [frame].
     #[getter]
     fn time_s<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        arrays::axis(py, &self.samples.times_s())
+        self.time_s.each(py, || self.samples.times_s())
     }
 
     /// Numerical errors of each frame in dB relative to the echo.

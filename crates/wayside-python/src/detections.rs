@@ -1,7 +1,9 @@
 //! Class `Detections`: points and the objects that they form.
 
-use crate::arrays::{Field, Records, read_only};
+use crate::arrays::{Field, Kept, Records};
 use crate::failure;
+use crate::given::words;
+use crate::held::artifacts;
 use crate::held::maps::Maps;
 use crate::tracks::Tracks;
 use crate::work::{Hears, carry_out};
@@ -10,16 +12,18 @@ use artifact::tracks::Tracks as TracksSchema;
 use pyo3::prelude::*;
 use std::path::PathBuf;
 use std::sync::Arc;
+use wayside::Failure;
 use wayside::chain::loading;
 use wayside::stepwise::{Answered, Processing, Recorded};
 
 /// Detected points and objects of the frames of a cube.
 #[pyclass(frozen, module = "wayside")]
 pub(crate) struct Detections {
-    /// The maps that they were found on.
-    pub(crate) maps: Arc<Maps>,
-    /// The artifact.
-    pub(crate) all: Arc<Recorded<Points>>,
+    /// The maps that they were found on; `None` of a file.
+    maps: Option<Arc<Maps>>,
+    all: Arc<Recorded<Points>>,
+    points: Kept<PyAny>,
+    objects: Kept<PyAny>,
 }
 
 const POINT: [Field; 11] = [
@@ -94,15 +98,48 @@ fn classes<'py>(py: Python<'py>, answers: &[(u32, Vec<Answered>)]) -> PyResult<B
     records.array(py, &fields)
 }
 
+/// Records that make a table.
+#[derive(Clone, Copy)]
+enum Table {
+    Points,
+    Objects,
+    Classes,
+}
+
+const TABLES: [(&str, Table); 3] =
+    [("points", Table::Points), ("objects", Table::Objects), ("classes", Table::Classes)];
+
+/// Refusal of points of which no radar is known.
+const WITHOUT_RADAR: &str = "these points were not found by the program, and no radar is told of them: \
+                             objects cannot be followed";
+/// Refusal of classes of points without maps.
+const WITHOUT_MAPS: &str = "classes are told from the maps that the points were found on, which a file of \
+                            points does not have: classify what `RangeDoppler.detect` returns";
+
 impl Detections {
+    /// Points and objects with the maps that they were found on; those of a file have none.
+    pub(crate) fn of(all: Recorded<Points>, maps: Option<Arc<Maps>>) -> Self {
+        Self { maps, all: Arc::new(all), points: Kept::default(), objects: Kept::default() }
+    }
+
+    /// Processing of the cubes of their radar.
+    fn processing(&self) -> Result<Arc<Processing>, Failure> {
+        if let Some(maps) = &self.maps {
+            return Ok(Arc::clone(&maps.processing));
+        }
+        let header = self.all.header.cube.as_ref().ok_or_else(|| Failure::refused(WITHOUT_RADAR))?;
+        Processing::of(header).map(Arc::new)
+    }
+
     /// Objects followed over the frames.
     pub(crate) fn tracked(&self, py: Python<'_>, hears: Hears<'_, '_>) -> PyResult<Tracks> {
-        let (processing, points) = (Arc::clone(&self.maps.processing), Arc::clone(&self.all));
+        let processing = self.processing().map_err(|failure| failure::raised(py, &failure, &[]))?;
+        let points = Arc::clone(&self.all);
         let all: Recorded<TracksSchema> = carry_out(py, &[], hears, move |call_off| {
             let frames = processing.tracks(&points.frames, call_off)?;
             Ok(Recorded { from: points.from.clone(), header: processing.tracks_header(), frames })
         })?;
-        Ok(Tracks { all: Arc::new(all) })
+        Ok(Tracks::of(all))
     }
 
     /// Classes of the objects by a model, or by the one that ships.
@@ -112,8 +149,10 @@ impl Detections {
         model: Option<PathBuf>,
         hears: Hears<'_, '_>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let (maps, points) = (self.maps.frames(py)?, Arc::clone(&self.all));
-        let (processing, place) = (Arc::clone(&self.maps.processing), model.clone());
+        let of_file = || failure::raised(py, &Failure::refused(WITHOUT_MAPS), &[]);
+        let held = self.maps.as_ref().ok_or_else(of_file)?;
+        let (maps, points) = (held.frames(py)?, Arc::clone(&self.all));
+        let (processing, place) = (Arc::clone(&held.processing), model.clone());
         let answers = carry_out(py, &[model.as_deref()], hears, move |call_off| {
             let Some(model) = loading::model(place.as_deref())? else { return Ok(vec![]) };
             processing.classes(&model, &maps, &points.frames, call_off)
@@ -124,35 +163,48 @@ impl Detections {
 
 #[pymethods]
 impl Detections {
-    /// Points of all frames, a `numpy.recarray`: frame, range_m, radial_velocity_mps (receding positive),
-    /// azimuth_rad (from +y towards +x), elevation_rad, position_m [3] in world metres, snr_db, object (index
-    /// among its frame's objects, −1 of a lone one), two_ways_rad [2] (NaN where there are none), stationary
-    /// (1 yes, 0 no, −1 not asked), height (index into `wayside.HEIGHTS`: 2 measured by elevation rows,
-    /// 1 assumed as `assumed_height_m` says, 0 none: no place has that height and the range, z is the radar's
-    /// own). The array is read-only.
-    #[getter]
-    pub(crate) fn points<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let mut records = Records::default();
-        let frames = self.all.frames.iter();
-        frames.for_each(|f| f.points.iter().for_each(|point| add_point(&mut records, f.index, point)));
-        read_only(records.array(py, &POINT)?)
+    /// Reads a `.points` artifact. Its points have no maps, so `classify` refuses them.
+    #[staticmethod]
+    #[pyo3(signature = (file))]
+    fn read(py: Python<'_>, file: PathBuf) -> PyResult<Self> {
+        Ok(Self::of(artifacts::read(py, &file)?, None))
     }
 
-    /// Objects of all frames, a `numpy.recarray`: frame, range_m, radial_velocity_mps, azimuth_rad,
+    /// Points of all frames, a read-only `numpy.recarray`: frame, range_m, radial_velocity_mps (receding
+    /// positive), azimuth_rad (from +y towards +x), elevation_rad, position_m [3] in world metres, snr_db,
+    /// object (index among its frame's objects, −1 of a lone one), two_ways_rad [2] (NaN where there are
+    /// none), stationary (1 yes, 0 no, −1 not asked), height.
+    ///
+    /// height is an index into `wayside.HEIGHTS`: 2 measured by elevation rows, 1 assumed as
+    /// `assumed_height_m` says, 0 none: no place has that height and the range, and z is the radar's own.
+    #[getter]
+    pub(crate) fn points<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.points.view(py, || {
+            let mut records = Records::default();
+            let frames = self.all.frames.iter();
+            frames.for_each(|f| f.points.iter().for_each(|point| add_point(&mut records, f.index, point)));
+            records.array(py, &POINT)
+        })
+    }
+
+    /// Objects of all frames, a read-only `numpy.recarray`: frame, range_m, radial_velocity_mps, azimuth_rad,
     /// position_m [3], snr_db, points (how many), lane (−1 of none), range_extent_m [2],
     /// velocity_extent_mps [2], velocity_resolved, ghost_share (NaN where the array cannot tell), stationary,
-    /// height (as of points). The array is read-only.
+    /// height (as of points).
     #[getter]
     pub(crate) fn objects<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let mut records = Records::default();
-        let frames = self.all.frames.iter();
-        frames.for_each(|f| f.objects.iter().for_each(|object| add_object(&mut records, f.index, object)));
-        read_only(records.array(py, &OBJECT)?)
+        self.objects.view(py, || {
+            let mut records = Records::default();
+            let frames = self.all.frames.iter();
+            frames.for_each(|f| f.objects.iter().for_each(|it| add_object(&mut records, f.index, it)));
+            records.array(py, &OBJECT)
+        })
     }
 
     /// Objects followed over the frames.
-    fn track(&self, py: Python<'_>) -> PyResult<Tracks> {
-        self.tracked(py, Hears::all(None))
+    #[pyo3(signature = (*, progress=None))]
+    fn track(&self, py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Tracks> {
+        self.tracked(py, Hears::all(progress))
     }
 
     /// Classes of the objects, a `numpy.recarray`: frame, object, a probability for each of
@@ -168,16 +220,30 @@ impl Detections {
         self.classified(py, model, Hears::all(progress))
     }
 
-    /// Writes a `.points` artifact, the bytes of `wayside dsp`.
+    /// Writes a `.points` artifact, the bytes of `wayside dsp`; another format's ending is refused.
     #[pyo3(signature = (file))]
     fn write(&self, py: Python<'_>, file: PathBuf) -> PyResult<()> {
-        let written = py.detach(|| self.all.write(&file));
-        written.map_err(|failure| failure::raised(py, &failure, &[Some(&file)]))
+        artifacts::write(py, &self.all, &file)
     }
 
-    /// Table of all points: `pandas.DataFrame`, where pandas is installed.
-    fn to_pandas<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        slf.py().import("wayside.tables")?.call_method1("records_to_pandas", (slf.getattr("points")?,))
+    /// Table of all points, all objects or the objects' classes: `pandas.DataFrame`, where pandas is
+    /// installed.
+    ///
+    /// `of` is "points", "objects" or "classes"; `model` and `progress` are those of `classify`.
+    #[pyo3(signature = (of="points", *, model=None, progress=None))]
+    fn to_pandas<'py>(
+        &self,
+        py: Python<'py>,
+        of: &str,
+        model: Option<PathBuf>,
+        progress: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let records = match words::meaning("of", of, &TABLES)? {
+            Table::Points => self.points(py)?,
+            Table::Objects => self.objects(py)?,
+            Table::Classes => self.classify(py, model, progress)?,
+        };
+        py.import("wayside.tables")?.call_method1("records_to_pandas", (records,))
     }
 
     fn __len__(&self) -> usize {

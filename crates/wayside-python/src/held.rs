@@ -1,5 +1,6 @@
-//! Scenes, samples and maps, which several classes hold.
+//! Scenes, samples and maps, which several classes hold, and artifacts as their files.
 
+pub(crate) mod artifacts; // read and written
 pub(crate) mod reading; // files that a scene was read from
 pub(crate) mod handle; // a scene that was read
 pub(crate) mod values; // in memory that Python has too

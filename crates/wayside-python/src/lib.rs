@@ -5,11 +5,11 @@
 //! library works, [`arrays`] hands vectors over without a copy, [`given`] takes what names a scene.
 
 mod failure; // exceptions with file, place and rule
-mod given; // numbers and scenes, as Python gives them
+mod given; // numbers, words and scenes, as Python gives them
 mod work; // beside the interpreter, with progress and Ctrl-C
 mod arrays; // vectors and records as NumPy arrays
 mod told; // figures as dictionaries
-mod held; // scenes, samples and maps, as classes share them
+mod held; // scenes, samples and maps, as classes share them, and files
 mod paths_frame;
 mod paths;
 mod tracks;

@@ -1,6 +1,6 @@
 //! Class `Paths`: the paths of all frames of a scene.
 
-use crate::failure;
+use crate::held::artifacts;
 use crate::paths_frame::PathsFrame;
 use artifact::paths::Paths as Schema;
 use pyo3::exceptions::PyIndexError;
@@ -22,16 +22,13 @@ impl Paths {
     #[staticmethod]
     #[pyo3(signature = (file))]
     fn read(py: Python<'_>, file: PathBuf) -> PyResult<Self> {
-        let read = py.detach(|| Recorded::read(&file));
-        let all = read.map_err(|failure| failure::raised(py, &failure, &[Some(&file)]))?;
-        Ok(Self { all: Arc::new(all) })
+        Ok(Self { all: Arc::new(artifacts::read(py, &file)?) })
     }
 
-    /// Writes a `.paths` artifact, the bytes of `wayside paths`.
+    /// Writes a `.paths` artifact, the bytes of `wayside paths`; another format's ending is refused.
     #[pyo3(signature = (file))]
     fn write(&self, py: Python<'_>, file: PathBuf) -> PyResult<()> {
-        let written = py.detach(|| self.all.write(&file));
-        written.map_err(|failure| failure::raised(py, &failure, &[Some(&file)]))
+        artifacts::write(py, &self.all, &file)
     }
 
     /// Ids of the scene's targets.
@@ -59,7 +56,7 @@ impl Paths {
         let count = self.all.frames.len() as isize;
         let at = if index < 0 { index + count } else { index };
         match (0..count).contains(&at) {
-            true => Ok(PathsFrame { all: Arc::clone(&self.all), at: at as usize }),
+            true => Ok(PathsFrame::of(Arc::clone(&self.all), at as usize)),
             false => Err(PyIndexError::new_err(format!("frame {index} of {count}"))),
         }
     }

@@ -1,6 +1,6 @@
 //! Class `PathsFrame`: the paths of one frame as a structure of arrays.
 
-use crate::arrays::{self, Field, Records};
+use crate::arrays::{self, Field, Kept, Records};
 use crate::told;
 use artifact::paths::{Path, Paths as Schema, PathsFrame as Frame};
 use num_complex::Complex64;
@@ -14,12 +14,34 @@ use wayside::stepwise::{Recorded, delay_at_middle};
 #[pyclass(frozen, module = "wayside")]
 pub(crate) struct PathsFrame {
     /// Paths of all frames.
-    pub(crate) all: Arc<Recorded<Schema>>,
+    all: Arc<Recorded<Schema>>,
     /// Place among them.
-    pub(crate) at: usize,
+    at: usize,
+    arrays: Arrays,
+}
+
+/// Arrays of a frame by their names in Python.
+#[derive(Default)]
+struct Arrays {
+    a_m: Kept<PyArray3<Complex64>>,
+    slope_m_per_hz: Kept<PyArray3<Complex64>>,
+    x_a_m: Kept<PyArray2<f64>>,
+    x_b_m: Kept<PyArray2<f64>>,
+    v_a_mps: Kept<PyArray2<f64>>,
+    v_b_mps: Kept<PyArray2<f64>>,
+    order: Kept<PyArray1<u8>>,
+    target: Kept<PyArray1<u32>>,
+    spans: Kept<PyAny>,
+    delay_s: Kept<PyArray1<f64>>,
+    delay_rate: Kept<PyArray1<f64>>,
 }
 
 impl PathsFrame {
+    /// Frame at a place among those of all paths.
+    pub(crate) fn of(all: Arc<Recorded<Schema>>, at: usize) -> Self {
+        Self { all, at, arrays: Arrays::default() }
+    }
+
     fn frame(&self) -> &Frame {
         &self.all.frames[self.at]
     }
@@ -27,20 +49,28 @@ impl PathsFrame {
     fn vectors<'py>(
         &self,
         py: Python<'py>,
+        kept: &Kept<PyArray2<f64>>,
         of: impl Fn(&Path) -> [f64; 3],
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let paths = &self.frame().paths;
-        arrays::read_only(arrays::shaped(py, paths.iter().flat_map(of).collect(), [paths.len(), 3])?)
+        kept.view(py, || arrays::shaped(py, paths.iter().flat_map(of).collect(), [paths.len(), 3]))
     }
 
     fn matrices<'py>(
         &self,
         py: Python<'py>,
+        kept: &Kept<PyArray3<Complex64>>,
         of: impl Fn(&Path) -> [[Complex64; 2]; 2],
     ) -> PyResult<Bound<'py, PyArray3<Complex64>>> {
         let paths = &self.frame().paths;
-        let values = paths.iter().flat_map(|path| of(path).into_iter().flatten()).collect();
-        arrays::read_only(arrays::shaped(py, values, [paths.len(), 2, 2])?)
+        let values = || paths.iter().flat_map(|path| of(path).into_iter().flatten()).collect();
+        kept.view(py, || arrays::shaped(py, values(), [paths.len(), 2, 2]))
+    }
+
+    /// Delays at the frame's middle from the array's centre, s, with their rates, s/s.
+    fn delays(&self) -> impl Iterator<Item = (f64, f64)> {
+        let radar = self.all.header.radar.in_frame(self.frame().index);
+        self.frame().paths.iter().map(move |path| delay_at_middle(&radar, path))
     }
 }
 
@@ -86,49 +116,49 @@ impl PathsFrame {
     /// Scattering amplitude a in metres, complex128 [n, receive, transmit], v = 0, h = 1, at f_c.
     #[getter]
     fn a_m<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<Complex64>>> {
-        self.matrices(py, |path| path.amplitude_m)
+        self.matrices(py, &self.arrays.a_m, |path| path.amplitude_m)
     }
 
     /// Slope da/df in m/Hz, complex128 [n, receive, transmit].
     #[getter]
     fn slope_m_per_hz<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<Complex64>>> {
-        self.matrices(py, |path| path.slope_m_per_hz)
+        self.matrices(py, &self.arrays.slope_m_per_hz, |path| path.slope_m_per_hz)
     }
 
     /// Place x_a where the node appears from the transmitter, world metres, float64 [n, 3].
     #[getter]
     fn x_a_m<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        self.vectors(py, |path| path.apparent_tx_m)
+        self.vectors(py, &self.arrays.x_a_m, |path| path.apparent_tx_m)
     }
 
     /// Place x_b where the node appears from the receiver, world metres, float64 [n, 3].
     #[getter]
     fn x_b_m<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        self.vectors(py, |path| path.apparent_rx_m)
+        self.vectors(py, &self.arrays.x_b_m, |path| path.apparent_rx_m)
     }
 
     /// Velocity of x_a, m/s, float64 [n, 3].
     #[getter]
     fn v_a_mps<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        self.vectors(py, |path| path.apparent_tx_mps)
+        self.vectors(py, &self.arrays.v_a_mps, |path| path.apparent_tx_mps)
     }
 
     /// Velocity of x_b, m/s, float64 [n, 3].
     #[getter]
     fn v_b_mps<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        self.vectors(py, |path| path.apparent_rx_mps)
+        self.vectors(py, &self.arrays.v_b_mps, |path| path.apparent_rx_mps)
     }
 
     /// Number of bounces, uint8 [n]; 0 of a point target.
     #[getter]
     fn order<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<u8>>> {
-        arrays::each(py, self.frame().paths.iter().map(|path| path.order))
+        self.arrays.order.each(py, || self.frame().paths.iter().map(|path| path.order))
     }
 
     /// Index of the target in `Paths.targets`, uint32 [n]; 4,294,967,295 of the road's own backscatter.
     #[getter]
     fn target<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<u32>>> {
-        arrays::each(py, self.frame().paths.iter().map(|path| path.target))
+        self.arrays.target.each(py, || self.frame().paths.iter().map(|path| path.target))
     }
 
     /// Part of the frame and of the array that each path stands for, a `numpy.recarray` [n]: first_s, step_s,
@@ -137,25 +167,23 @@ impl PathsFrame {
     /// array's row); NaN and −1 of a path that stands for all of it.
     #[getter]
     fn spans<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let mut records = Records::default();
-        self.frame().paths.iter().for_each(|path| add_span(&mut records, path));
-        arrays::read_only(records.array(py, &SPAN)?)
+        self.arrays.spans.view(py, || {
+            let mut records = Records::default();
+            self.frame().paths.iter().for_each(|path| add_span(&mut records, path));
+            records.array(py, &SPAN)
+        })
     }
 
     /// Delay at the frame's middle from the array's centre, s, float64 [n].
     #[getter]
     fn delay_s<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let radar = self.all.header.radar.in_frame(self.frame().index);
-        let delay = |path| delay_at_middle(&radar, path).0;
-        arrays::each(py, self.frame().paths.iter().map(delay))
+        self.arrays.delay_s.each(py, || self.delays().map(|(delay_s, _)| delay_s))
     }
 
     /// Rate of the delay at the frame's middle, s/s, float64 [n].
     #[getter]
     fn delay_rate<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let radar = self.all.header.radar.in_frame(self.frame().index);
-        let rate = |path| delay_at_middle(&radar, path).1;
-        arrays::each(py, self.frame().paths.iter().map(rate))
+        self.arrays.delay_rate.each(py, || self.delays().map(|(_, rate)| rate))
     }
 
     /// Numerical errors in dB relative to the echo; None where not estimated and of no error at all.

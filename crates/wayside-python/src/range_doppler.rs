@@ -1,15 +1,18 @@
 //! Class `RangeDoppler`: maps of all channels and what the detector made of them.
 
-use crate::arrays;
+use crate::arrays::{self, Kept};
 use crate::detections::Detections;
+use crate::failure;
+use crate::held::artifacts;
 use crate::held::maps::Maps;
 use crate::held::samples::Samples;
 use crate::work::{Hears, carry_out};
 use artifact::points::Points;
-use artifact::rdm::RdmFrame;
+use artifact::rdm::Rdm;
 use num_complex::Complex32;
 use numpy::{PyArray1, PyArray2, PyArray3, PyArray4};
 use pyo3::prelude::*;
+use std::path::PathBuf;
 use std::sync::Arc;
 use wayside::host::progress;
 use wayside::stepwise::{Processing, Recorded};
@@ -18,36 +21,66 @@ use wayside::stepwise::{Processing, Recorded};
 #[pyclass(frozen, module = "wayside")]
 pub(crate) struct RangeDoppler {
     maps: Arc<Maps>,
+    range_m: Kept<PyArray1<f64>>,
+    velocity_mps: Kept<PyArray1<f64>>,
+    velocity_of_frames_mps: Kept<PyArray2<f64>>,
+    time_s: Kept<PyArray1<f64>>,
 }
 
 impl RangeDoppler {
-    /// Hands the maps over to Python.
+    /// Hands the maps over to Python; those of a file have no samples.
     pub(crate) fn of(
         py: Python<'_>,
-        samples: Arc<Samples>,
+        recorded: Recorded<Rdm>,
         processing: Processing,
-        frames: Vec<RdmFrame>,
+        samples: Option<Arc<Samples>>,
     ) -> PyResult<Self> {
-        Ok(Self { maps: Arc::new(Maps::of(py, samples, processing, frames)?) })
+        Ok(Self {
+            maps: Arc::new(Maps::of(py, recorded, processing, samples)?),
+            range_m: Kept::default(),
+            velocity_mps: Kept::default(),
+            velocity_of_frames_mps: Kept::default(),
+            time_s: Kept::default(),
+        })
     }
 
     /// Points and objects of the maps.
     pub(crate) fn found(&self, py: Python<'_>, hears: Hears<'_, '_>) -> PyResult<Detections> {
-        let Maps { samples, processing, .. } = &*self.maps;
-        let (cubes, maps) = (samples.frames(py)?, self.maps.frames(py)?);
-        let (processing, from) = (Arc::clone(processing), processing.provenance(&samples.from));
+        let Maps { samples, processing, from, .. } = &*self.maps;
+        let cubes = samples.as_ref().map(|samples| samples.frames(py)).transpose()?;
+        let (maps, processing, from) = (self.maps.frames(py)?, Arc::clone(processing), from.clone());
         let all: Recorded<Points> = carry_out(py, &[], hears, move |call_off| {
             let header = processing.points_header();
-            let frames = processing.points(&maps, &cubes, call_off)?;
+            let frames = match &cubes {
+                Some(cubes) => processing.points(&maps, cubes, call_off)?,
+                None => processing.points_of_maps(&maps, call_off)?,
+            };
             processing.remarks(&frames).into_iter().for_each(progress::note);
             Ok(Recorded { from, header, frames })
         })?;
-        Ok(Detections { maps: Arc::clone(&self.maps), all: Arc::new(all) })
+        Ok(Detections::of(all, Some(Arc::clone(&self.maps))))
     }
 }
 
 #[pymethods]
 impl RangeDoppler {
+    /// Reads a `.rdm` artifact. Its maps have no samples, so `detect` refuses them where `refine` of [dsp] is
+    /// "on".
+    #[staticmethod]
+    #[pyo3(signature = (file))]
+    fn read(py: Python<'_>, file: PathBuf) -> PyResult<Self> {
+        let recorded: Recorded<Rdm> = artifacts::read(py, &file)?;
+        let processing = Processing::of(&recorded.header);
+        let processing = processing.map_err(|failure| failure::raised(py, &failure, &[Some(&file)]))?;
+        Self::of(py, recorded, processing, None)
+    }
+
+    /// Writes a `.rdm` artifact, the bytes of `wayside dsp`; another format's ending is refused.
+    #[pyo3(signature = (file))]
+    fn write(&self, py: Python<'_>, file: PathBuf) -> PyResult<()> {
+        artifacts::write(py, &self.maps.recorded(py)?, &file)
+    }
+
     /// Map values in `unit`, complex64 [frame, channel, doppler, range]; zero velocity at N/2.
     #[getter]
     fn values<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray4<Complex32>>> {
@@ -63,34 +96,34 @@ impl RangeDoppler {
     /// Ranges of the columns, m, float64 [range].
     #[getter]
     fn range_m<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        arrays::axis(py, &self.maps.processing.axes().0)
+        self.range_m.each(py, || self.maps.processing.axes().0)
     }
 
     /// Radial velocities of the rows, m/s, receding positive, float64 [doppler]; of the first sub-frame.
     #[getter]
     fn velocity_mps<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        arrays::axis(py, &self.maps.processing.axes().1)
+        self.velocity_mps.each(py, || self.maps.processing.axes().1)
     }
 
     /// Radial velocities of the rows of each frame, m/s, receding positive, float64 [frame, doppler].
     #[getter]
     fn velocity_of_frames_mps<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let Maps { processing, frames, .. } = &*self.maps;
-        let rows = processing.axes().1.len();
-        let values = frames.iter().flat_map(|frame| processing.velocities_mps(frame.index)).collect();
-        arrays::read_only(arrays::shaped(py, values, [frames.len(), rows])?)
+        let rows = || processing.axes().1.len();
+        let values = || frames.iter().flat_map(|frame| processing.velocities_mps(frame.index)).collect();
+        self.velocity_of_frames_mps.view(py, || arrays::shaped(py, values(), [frames.len(), rows()]))
     }
 
     /// Unit of the values: "sqrt(W)", or "ADC steps" of samples that were imported so.
     #[getter]
     fn unit(&self) -> &'static str {
-        self.maps.samples.header.unit.name()
+        self.maps.header.unit.name()
     }
 
     /// Times of the frames' first samples, s, float64 [frame].
     #[getter]
     fn time_s<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        arrays::axis(py, &self.maps.samples.times_s())
+        self.time_s.each(py, || self.maps.frames.iter().map(|frame| frame.time_s))
     }
 
     /// Number of cells above the detector's threshold in each frame.

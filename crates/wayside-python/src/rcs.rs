@@ -1,50 +1,95 @@
 //! Class `Rcs` and the function that makes it: S of a mesh over frequency and aspect.
 
-use crate::arrays;
+use crate::arrays::{self, Kept};
 use crate::failure;
 use crate::given::document;
 use crate::given::numbers;
+use crate::given::words::meaning;
 use crate::held::values::Values;
 use crate::told;
 use crate::work::{Hears, carry_out};
-use artifact::Accuracy;
 use artifact::material::Transmission;
-use artifact::radar::Polarization;
-use artifact::settings::{Edges, NodeRule, Sides, Surface};
 use ndarray::{Array3, Ix3};
 use num_complex::Complex64;
-use numpy::{PyArray1, PyArray2, PyArray3};
+use numpy::{PyArray1, PyArray2, PyArray3, PyUntypedArrayMethods};
+use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
+use wayside::Failure;
 use wayside::host::memory::Allowance;
 use wayside::stepwise::bounds::{AZIMUTHS_DEG, BOUNCES, ELEVATIONS_DEG, FREQUENCIES_GHZ, UNIT_SCALES};
-use wayside::stepwise::{self, RcsRequest, RcsTable, Standpoint};
-use wayside::{CallOff, Failure};
+use wayside::stepwise::table_words::{EDGES, NODES, POLARIZATIONS, SIDES, SURFACES, TRANSMISSION};
+use wayside::stepwise::{
+    self, AskedReceiver, AskedTable, DENSITY_PER_WAVELENGTH, DescribedTable, TableDescription,
+};
 
 /// Scattering amplitude S of a mesh over frequency, elevation and azimuth.
 #[pyclass(frozen, module = "wayside")]
 pub(crate) struct Rcs {
-    table: RcsTable,
-    request: RcsRequest,
+    description: TableDescription,
     amplitude: Values<Complex64, Ix3>,
+    freq_hz: Kept<PyArray1<f64>>,
+    el_deg: Kept<PyArray1<f64>>,
+    az_deg: Kept<PyArray1<f64>>,
 }
 
 impl Rcs {
-    fn of(py: Python<'_>, mut table: RcsTable, request: RcsRequest) -> PyResult<Self> {
-        let values = std::mem::take(&mut table.amplitude_m);
-        let amplitude = Values::of("s_m", &arrays::shaped(py, values, table.shape)?);
-        Ok(Self { table, request, amplitude })
+    fn of(description: TableDescription, amplitude: &Bound<'_, PyArray3<Complex64>>) -> Self {
+        Self {
+            description,
+            amplitude: Values::of("s_m", amplitude),
+            freq_hz: Kept::default(),
+            el_deg: Kept::default(),
+            az_deg: Kept::default(),
+        }
     }
 }
 
-fn degrees(radians: &[f64]) -> Vec<f64> {
-    radians.iter().map(|angle| angle.to_degrees()).collect()
+/// S of a file of NumPy in the shape that its description tells.
+fn loaded<'py>(py: Python<'py>, file: &Path, shape: [usize; 3]) -> PyResult<Bound<'py, PyArray3<Complex64>>> {
+    let numpy = py.import("numpy")?;
+    let words = PyDict::new(py);
+    words.set_item("allow_pickle", false)?;
+    let read = numpy.call_method("load", (file,), Some(&words));
+    let read = read.map_err(|error| unread(py, file, &error))?;
+    let array = numpy.call_method1("ascontiguousarray", (read,))?.cast_into::<PyArray3<Complex64>>().ok();
+    let rule = format!("S is complex128 {shape:?}, as the description beside it tells");
+    let other = || failure::raised(py, &Failure::refused(rule).about(file), &[Some(file)]);
+    array.filter(|array| array.shape() == shape).ok_or_else(other)
+}
+
+/// Exception of a file that NumPy does not read.
+fn unread(py: Python<'_>, file: &Path, error: &PyErr) -> PyErr {
+    let failure = match error.is_instance_of::<PyOSError>(py) {
+        true => Failure::system(file, "read", error.value(py)),
+        false => Failure::refused(error.value(py)).about(file),
+    };
+    failure::raised(py, &failure, &[Some(file)])
 }
 
 #[pymethods]
 impl Rcs {
+    /// Reads a table of `wayside rcs` or of `write`: `S.npy` with the `S.json` beside it.
+    #[staticmethod]
+    #[pyo3(signature = (file))]
+    fn read(py: Python<'_>, file: PathBuf) -> PyResult<Self> {
+        let read = py.detach(|| TableDescription::read(&file));
+        let description = read.map_err(|failure| failure::raised(py, &failure, &[Some(&file)]))?;
+        let amplitude = loaded(py, &file, description.shape())?;
+        Ok(Self::of(description, &amplitude))
+    }
+
+    /// Writes the table as `S.npy`, the bytes of `wayside rcs`, and its description as `S.json` beside it;
+    /// another format's ending is refused.
+    #[pyo3(signature = (file))]
+    fn write(&self, py: Python<'_>, file: PathBuf) -> PyResult<()> {
+        let values = self.amplitude.read(py)?.as_slice()?.to_vec();
+        let written = py.detach(|| self.description.write(&file, &values));
+        written.map_err(|failure| failure::raised(py, &failure, &[Some(&file)]))
+    }
+
     /// Scattering amplitude S in metres, complex128 [freq, el, az], phase at the mesh's origin; |S|² is the
     /// RCS.
     #[getter]
@@ -52,7 +97,7 @@ impl Rcs {
         self.amplitude.view(py)
     }
 
-    /// Radar cross section in dBsm, float64 [freq, el, az].
+    /// Radar cross section in dBsm, float64 [freq, el, az]; of `s_m` as it is now.
     #[getter]
     fn rcs_dbsm<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
         let amplitude = self.amplitude.read(py)?;
@@ -63,43 +108,43 @@ impl Rcs {
     /// Frequencies, Hz, float64 [freq].
     #[getter]
     fn freq_hz<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        arrays::axis(py, &self.request.frequency_hz)
+        self.freq_hz.each(py, || self.description.frequency_hz.clone())
     }
 
     /// Elevations above the body's horizon, degrees, float64 [el].
     #[getter]
     fn el_deg<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        arrays::axis(py, &degrees(&self.request.elevation_rad))
+        self.el_deg.each(py, || self.description.elevation_deg.clone())
     }
 
     /// Azimuths, degrees, float64 [az]; 0 looks at the body's front, growing counter-clockwise from above.
     #[getter]
     fn az_deg<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        arrays::axis(py, &degrees(&self.request.azimuth_rad))
+        self.az_deg.each(py, || self.description.azimuth_deg.clone())
     }
 
     /// Distance of the antenna from the mesh's origin, m; infinite for the far field.
     #[getter]
     fn range_m(&self) -> f64 {
-        self.request.range_m
+        self.description.range_m
     }
 
     /// Range from which on a table of infinite range is right, m: 2D²/λ.
     #[getter]
     fn far_field_from_m(&self) -> f64 {
-        self.table.far_field_from_m
+        self.description.far_field_from_m
     }
 
     /// Numerical errors of the table in dB relative to it; None where not estimated and of no error.
     #[getter]
     fn error_db<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        told::errors(py, &self.table.error)
+        told::figures(py, &self.description.error)
     }
 
     /// Errors of what the model leaves out, in dB relative to the table.
     #[getter]
     fn model_error_db<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        told::model_errors(py, &self.table.model_error)
+        told::model_figures(py, &self.description.model_error)
     }
 
     /// Table with named axes: `xarray.Dataset`, where xarray is installed.
@@ -108,19 +153,21 @@ impl Rcs {
     }
 
     fn __repr__(&self) -> String {
-        format!("<wayside.Rcs {:?} [freq, el, az]>", self.table.shape)
+        format!("<wayside.Rcs {:?} [freq, el, az]>", self.description.shape())
     }
 }
 
-/// Makes S of a mesh by BART, as `wayside rcs` does: an `Rcs`, whose `s_m` is complex128 [freq, el, az] in
-/// metres. `mesh` is a file (of assets of OpenMATERIAL 3D in their own materials) or the name of an own
-/// vehicle. `freq_ghz` (GHz), `az_deg` and `el_deg` are a number or numbers and become the three axes.
-/// Directions are those of the antenna in body axes, in degrees: `az_deg` 0 before the front, growing
-/// counter-clockwise from above, `el_deg` above the horizon; left out they are 0°, one direction from ahead.
-/// `range_m` is the antenna's distance in metres, infinite for the far field. `rx_az_deg`, `rx_el_deg`
-/// (degrees) and `rx_range_m` are a receiver that stands still elsewhere. `materials` is a file that says
-/// what the mesh's names of materials stand for, else everything conducts; `transmission="on"` follows waves
-/// through its sheets and needs it, "off" lets nothing through.
+/// Makes S of a mesh by BART, as `wayside rcs` does: `s_m` of the result is complex128 [freq, el, az] in
+/// metres.
+///
+/// `mesh` is a file (of assets of OpenMATERIAL 3D in their own materials) or the name of an own vehicle.
+/// `freq_ghz` (GHz), `az_deg` and `el_deg` are a number or numbers and become the three axes. Directions are
+/// those of the antenna in body axes, in degrees: `az_deg` 0 before the front, growing counter-clockwise from
+/// above, `el_deg` above the horizon; left out they are 0°, one direction from ahead. `range_m` is the
+/// antenna's distance in metres, infinite for the far field. `rx_az_deg`, `rx_el_deg` (degrees) and
+/// `rx_range_m` are a receiver that stands still elsewhere. `materials` is a file that says what the mesh's
+/// names of materials stand for, else everything conducts; `transmission="on"` follows waves through its
+/// sheets and needs it, "off" lets nothing through.
 #[pyfunction]
 #[pyo3(signature = (mesh, freq_ghz, az_deg=None, el_deg=None, *, range_m=f64::INFINITY, pol="vv", bounces=3,
     edges="off", nodes="own-edge", surface="flat", sides="two", accuracy_db=-40.0, rx_az_deg=None,
@@ -151,52 +198,32 @@ pub(crate) fn rcs(
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Rcs> {
     let range_m = numbers::distance_m("range_m", range_m)?;
-    let receiver = receiver(rx_az_deg, rx_el_deg, rx_range_m, range_m)?;
-    let (unit_scale, transmission) = (scale(unit_scale)?, transmitted(transmission, materials.as_deref())?);
-    let request = RcsRequest {
-        frequency_hz: scaled(values("freq_ghz", Some(freq_ghz), FREQUENCIES_GHZ)?, 1e9),
-        elevation_rad: scaled(values("el_deg", el_deg, ELEVATIONS_DEG)?, 1.0_f64.to_radians()),
-        azimuth_rad: scaled(values("az_deg", az_deg, AZIMUTHS_DEG)?, 1.0_f64.to_radians()),
+    let asked = AskedTable {
+        receiver: receiver(rx_az_deg, rx_el_deg, rx_range_m)?,
+        unit_scale: scale(unit_scale)?,
+        transmission: transmitted(transmission, materials.as_deref())?,
+        method: "bart".to_owned(),
+        density_per_wavelength: DENSITY_PER_WAVELENGTH,
+        frequency_hz: in_hz(values("freq_ghz", Some(freq_ghz), FREQUENCIES_GHZ)?),
+        elevation_deg: values("el_deg", el_deg, ELEVATIONS_DEG)?,
+        azimuth_deg: values("az_deg", az_deg, AZIMUTHS_DEG)?,
         range_m,
-        receiver,
-        polarization: polarization(pol)?,
+        polarization: meaning("pol", pol, &POLARIZATIONS)?,
         bounces: numbers::within("bounces", bounces, &BOUNCES)? as u8,
-        nodes: node_rule(nodes)?,
-        sides: word("sides", sides, &[("two", Sides::Two), ("one", Sides::One)])?,
-        edges: word("edges", edges, &[("off", Edges::Ignored), ("on", Edges::FirstOrder)])?,
-        surface: word("surface", surface, &[("flat", Surface::Flat), ("smooth", Surface::Smooth)])?,
-        accuracy: Accuracy::from_db(document::accuracy_db(accuracy_db)?),
+        nodes: meaning("nodes", nodes, &NODES)?,
+        sides: meaning("sides", sides, &SIDES)?,
+        edges: meaning("edges", edges, &EDGES)?,
+        surface: meaning("surface", surface, &SURFACES)?,
+        accuracy_db: document::accuracy_db(accuracy_db)?,
+        mesh: mesh.clone(),
+        materials: materials.clone(),
     };
     let memory = Allowance::of(numbers::memory_mib(memory_limit_mib)?);
-    let (asked, body) = (request.clone(), Body { mesh, unit_scale, materials, transmission });
-    let given = body.clone();
-    let files = [Some(given.mesh.as_path()), given.materials.as_deref()];
-    let table =
-        carry_out(py, &files, Hears::all(progress), move |call_off| body.table(&asked, memory, call_off))?;
-    Rcs::of(py, table, request)
-}
-
-/// A body of which a table is made, as it was given.
-#[derive(Clone)]
-struct Body {
-    mesh: PathBuf,
-    unit_scale: Option<f64>,
-    materials: Option<PathBuf>,
-    transmission: Transmission,
-}
-
-impl Body {
-    fn table(
-        &self,
-        request: &RcsRequest,
-        memory: Allowance,
-        call_off: &CallOff,
-    ) -> Result<RcsTable, Failure> {
-        let mesh = stepwise::mesh(&self.mesh, self.unit_scale)?;
-        let map = stepwise::materials(self.materials.as_deref(), self.transmission, &request.frequency_hz)?;
-        let mesh = stepwise::dressed(mesh, &self.mesh, &map, &request.frequency_hz)?;
-        stepwise::rcs(&mesh, request, memory, call_off).map_err(|failure| failure.about(&self.mesh))
-    }
+    let (files, hears) = ([Some(mesh.as_path()), materials.as_deref()], Hears::all(progress));
+    let table = carry_out(py, &files, hears, move |call_off| stepwise::rcs(&asked, memory, call_off))?;
+    let DescribedTable { amplitude_m, description } = table;
+    let amplitude = arrays::shaped(py, amplitude_m, description.shape())?;
+    Ok(Rcs::of(description, &amplitude))
 }
 
 /// Lowest and highest coordinates of a mesh in metres, body axes as its file has them, float64 [2, 3].
@@ -221,14 +248,13 @@ fn receiver(
     az_deg: Option<f64>,
     el_deg: Option<f64>,
     range_m: Option<f64>,
-    of_transmitter_m: f64,
-) -> PyResult<Option<Standpoint>> {
+) -> PyResult<Option<AskedReceiver>> {
     let lacks = |lacking: &str, name: &str| Err(failure::of_argument(lacking, format!("{name} needs it")));
     match (az_deg, el_deg) {
-        (Some(azimuth), Some(elevation)) => Ok(Some(Standpoint {
-            azimuth_rad: numbers::number("rx_az_deg", azimuth, &AZIMUTHS_DEG)?.to_radians(),
-            elevation_rad: numbers::number("rx_el_deg", elevation, &ELEVATIONS_DEG)?.to_radians(),
-            range_m: numbers::distance_m("rx_range_m", range_m.unwrap_or(of_transmitter_m))?,
+        (Some(azimuth), Some(elevation)) => Ok(Some(AskedReceiver {
+            azimuth_deg: numbers::number("rx_az_deg", azimuth, &AZIMUTHS_DEG)?,
+            elevation_deg: numbers::number("rx_el_deg", elevation, &ELEVATIONS_DEG)?,
+            range_m: range_m.map(|range_m| numbers::distance_m("rx_range_m", range_m)).transpose()?,
         })),
         (Some(_), None) => lacks("rx_el_deg", "rx_az_deg"),
         (None, Some(_)) => lacks("rx_az_deg", "rx_el_deg"),
@@ -239,8 +265,7 @@ fn receiver(
 
 /// Whether waves are followed through sheets, which only a file of materials tells of.
 fn transmitted(given: &str, materials: Option<&Path>) -> PyResult<Transmission> {
-    let known = [("off", Transmission::Ignored), ("on", Transmission::Followed)];
-    match word("transmission", given, &known)? {
+    match meaning("transmission", given, &TRANSMISSION)? {
         Transmission::Followed if materials.is_none() => {
             Err(failure::of_argument("materials", "transmission needs it"))
         }
@@ -263,28 +288,6 @@ fn values(name: &str, given: Option<&Bound<'_, PyAny>>, allowed: RangeInclusive<
     several.into_iter().map(|value| numbers::number(name, value, &allowed)).collect()
 }
 
-fn scaled(values: Vec<f64>, unit: f64) -> Vec<f64> {
-    values.into_iter().map(|value| value * unit).collect()
-}
-
-fn polarization(word: &str) -> PyResult<Polarization> {
-    let known = [
-        ("vv", Polarization::Vv),
-        ("hh", Polarization::Hh),
-        ("vh", Polarization::Vh),
-        ("hv", Polarization::Hv),
-    ];
-    self::word("pol", word, &known)
-}
-
-fn node_rule(word: &str) -> PyResult<NodeRule> {
-    let known = [("own-edge", NodeRule::OwnEdge), ("exit", NodeRule::Exit), ("middle", NodeRule::Middle)];
-    self::word("nodes", word, &known)
-}
-
-/// One of a few words.
-fn word<T: Copy>(name: &str, given: &str, known: &[(&str, T)]) -> PyResult<T> {
-    let found = known.iter().find(|(word, _)| *word == given).map(|(_, value)| *value);
-    let words = || known.iter().map(|(word, _)| *word).collect::<Vec<_>>().join("`, `");
-    found.ok_or_else(|| failure::of_argument(name, format!("`{given}`; it can be `{}`", words())))
+fn in_hz(frequencies_ghz: Vec<f64>) -> Vec<f64> {
+    frequencies_ghz.into_iter().map(|ghz| ghz * 1e9).collect()
 }

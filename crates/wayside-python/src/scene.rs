@@ -22,6 +22,11 @@ use wayside::stepwise::{OpenedScene, echoes, echoes_of_paths, endings, paths, ra
 use wayside::{CacheLocation, CallOff, Failure, SceneSource, Settings};
 
 /// A virtual traffic intersection and the radar that looks at it.
+///
+/// `source` is the path of a TOML file, or a dictionary with the same keys, whose files are seen from
+/// `folder`. `radar` names one of several, `model` replaces the model of every target, `seed` and
+/// `accuracy_db` the scene's; `memory_limit_mib` is the memory that tracing may take. Raises WaysideError
+/// with every broken rule.
 #[pyclass(frozen, module = "wayside")]
 pub(crate) struct Scene {
     handle: Py<Handle>,
@@ -172,9 +177,10 @@ impl Scene {
         told::json(py, &told.map_err(|error| failure::of_argument("radar", error))?)
     }
 
-    /// Cost that a run of all frames is expected to have, before anything runs: frames, processor_s,
-    /// processor_from_s, processor_to_s (nine of ten runs lie between), wall_s, threads, expected_memory_mib
-    /// (held when most is), memory_mib (no more is held).
+    /// Cost that a run of all frames is expected to have, before anything runs.
+    ///
+    /// frames, processor_s, processor_from_s, processor_to_s (nine of ten runs lie between), wall_s, threads,
+    /// expected_memory_mib (held when most is), memory_mib (no more is held).
     fn cost<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let cost = self.with_opened(py, Hears::all(None), |opened, _| opened.cost())?;
         let [from, to] = cost.processor_between_s;
@@ -258,8 +264,11 @@ impl Scene {
         self.found(py, hears.part(BEFORE_LAST))?.classified(py, model, hears.part(LAST))
     }
 
-    /// Runs everything and writes the files of `wayside run` into the folder `out`; returns summary.json as
-    /// a dictionary. `cache`: False for none, True for the default one, or a folder.
+    /// Runs everything and writes the files of `wayside run` into the folder `out`.
+    ///
+    /// Returns summary.json as a dictionary. `cache`: None or False for none, True for the default one, or a
+    /// folder. `classifier` is a file or a folder of `wayside train`; the one that ships where it is left
+    /// out.
     #[pyo3(signature = (out, *, cache=None, classifier=None, progress=None))]
     fn run<'py>(
         &self,

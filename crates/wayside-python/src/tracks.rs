@@ -1,18 +1,24 @@
 //! Class `Tracks`: vehicles followed over frames.
 
-use crate::arrays::{Field, Records, read_only};
-use crate::failure;
+use crate::arrays::{Field, Kept, Records};
+use crate::held::artifacts;
 use artifact::tracks::{Track, Tracks as Schema};
 use pyo3::prelude::*;
 use std::path::PathBuf;
-use std::sync::Arc;
 use wayside::stepwise::Recorded;
 
 /// Tracks of the frames of a cube.
 #[pyclass(frozen, module = "wayside")]
 pub(crate) struct Tracks {
-    /// The artifact.
-    pub(crate) all: Arc<Recorded<Schema>>,
+    all: Recorded<Schema>,
+    records: Kept<PyAny>,
+}
+
+impl Tracks {
+    /// Tracks of an artifact.
+    pub(crate) fn of(all: Recorded<Schema>) -> Self {
+        Self { all, records: Kept::default() }
+    }
 }
 
 const TRACK: [Field; 14] = [
@@ -43,23 +49,31 @@ fn add(records: &mut Records, frame: u32, track: &Track) {
 
 #[pymethods]
 impl Tracks {
-    /// Tracks of all frames, a `numpy.recarray`: frame, id, state (0 tentative, 1 confirmed, 2 coasting),
+    /// Tracks of all frames, a read-only `numpy.recarray`: frame, id, state (0 tentative, 1 confirmed, 2 coasting),
     /// age_frames, missed_frames, position_m [2], velocity_mps [2], covariance [4, 4] of (x, y, v_x, v_y),
     /// velocity_resolved, lane (−1 of none), box_centre_m [2], box_length_m, box_width_m, box_heading_rad
-    /// (from world +x towards +y). The array is read-only.
+    /// (from world +x towards +y).
     #[getter]
     fn records<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let mut records = Records::default();
-        let frames = self.all.frames.iter();
-        frames.for_each(|f| f.tracks.iter().for_each(|track| add(&mut records, f.index, track)));
-        read_only(records.array(py, &TRACK)?)
+        self.records.view(py, || {
+            let mut records = Records::default();
+            let frames = self.all.frames.iter();
+            frames.for_each(|f| f.tracks.iter().for_each(|track| add(&mut records, f.index, track)));
+            records.array(py, &TRACK)
+        })
     }
 
-    /// Writes a `.tracks` artifact, the bytes of `wayside dsp`.
+    /// Reads a `.tracks` artifact.
+    #[staticmethod]
+    #[pyo3(signature = (file))]
+    fn read(py: Python<'_>, file: PathBuf) -> PyResult<Self> {
+        Ok(Self::of(artifacts::read(py, &file)?))
+    }
+
+    /// Writes a `.tracks` artifact, the bytes of `wayside dsp`; another format's ending is refused.
     #[pyo3(signature = (file))]
     fn write(&self, py: Python<'_>, file: PathBuf) -> PyResult<()> {
-        let written = py.detach(|| self.all.write(&file));
-        written.map_err(|failure| failure::raised(py, &failure, &[Some(&file)]))
+        artifacts::write(py, &self.all, &file)
     }
 
     /// Table of all tracks: `pandas.DataFrame`, where pandas is installed.

@@ -1,16 +1,14 @@
-"""Stage by stage: what comes out, in which shapes, and that it is the command line's."""
+"""Stage by stage: what comes out, and in which shapes."""
 
 from __future__ import annotations
 
-import filecmp
-import json
 import logging
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from conftest import call, small_scene
+from conftest import small_scene
 
 import wayside
 
@@ -181,7 +179,44 @@ def test_an_array_that_tells_no_azimuth_is_told(caplog: pytest.LogCaptureFixture
     assert any("tells no azimuth" in record.message for record in caplog.records)
 
 
-def test_arrays_that_are_made_anew_each_time_are_read_only(scene: wayside.Scene) -> None:
+def holders(scene: wayside.Scene) -> dict[str, tuple[Any, list[str]]]:
+    """Objects of each class with the names of their arrays that the library has in another form."""
+    cube = scene.echo()
+    maps = cube.range_doppler()
+    found = maps.detect()
+    of_paths = ["a_m", "slope_m_per_hz", "x_a_m", "x_b_m", "v_a_mps", "v_b_mps"]
+    of_paths += ["order", "target", "spans", "delay_s", "delay_rate"]
+    return {
+        "PathsFrame": (scene.trace()[0], of_paths),
+        "Cube": (cube, ["time_s"]),
+        "RangeDoppler": (maps, ["range_m", "velocity_mps", "velocity_of_frames_mps", "time_s"]),
+        "Detections": (found, ["points", "objects"]),
+        "Tracks": (found.track(), ["records"]),
+        "Rcs": (wayside.rcs("car-suv", 1.0, az_deg=[0, 1]), ["freq_hz", "el_deg", "az_deg"]),
+    }
+
+
+def test_an_array_is_made_once_and_each_access_is_of_the_same_memory(scene: wayside.Scene) -> None:
+    for kind, (holder, names) in holders(scene).items():
+        for name in names:
+            first, second = getattr(holder, name), getattr(holder, name)
+            assert first.size > 0 and type(first) is type(second), (kind, name)
+            assert np.shares_memory(first, second), (kind, name)
+            shape, dtype = second.shape, second.dtype
+            first.shape = (1, *shape)
+            assert (getattr(holder, name).shape, getattr(holder, name).dtype) == (shape, dtype), (kind, name)
+            with pytest.raises(ValueError):
+                second.flags.writeable = True
+
+
+def test_a_cross_section_follows_the_amplitudes_that_may_be_changed() -> None:
+    table = wayside.rcs("car-suv", 1.0, az_deg=[0, 1])
+    before = table.rcs_dbsm
+    table.s_m[...] *= 10.0
+    assert np.allclose(table.rcs_dbsm - before, 20.0, atol=1e-9)
+
+
+def test_arrays_that_the_library_has_in_another_form_are_read_only(scene: wayside.Scene) -> None:
     frame, maps, found = scene.trace()[0], scene.range_doppler(), scene.detect()
     made = [frame.a_m, frame.x_a_m, frame.order, frame.target, frame.delay_s, frame.spans, maps.range_m]
     made += [maps.velocity_of_frames_mps, maps.time_s, found.points, found.objects, found.track().records]
@@ -191,19 +226,6 @@ def test_arrays_that_are_made_anew_each_time_are_read_only(scene: wayside.Scene)
     assert maps.values.flags.writeable and maps.mask.flags.writeable
     with pytest.raises(ValueError, match="read-only"):
         frame.a_m[0] = 0
-
-
-def test_an_ending_of_another_format_is_refused(scene: wayside.Scene, tmp_path: Path) -> None:
-    paths, found = scene.trace(), scene.detect()
-    for result in (paths, scene.echo(paths), found, found.track()):
-        for ending, writer in (("npy", "export FILE --to npy"), ("rdm", "dsp"), ("CSV", "export FILE --to csv")):
-            with pytest.raises(wayside.WaysideError, match=f"is written by `wayside {writer}`"):
-                result.write(tmp_path / f"x.{ending}")
-    with pytest.raises(wayside.WaysideError, match="`run` writes a folder"):
-        scene.run(tmp_path / "x.npy")
-    assert not list(tmp_path.iterdir())
-    paths.write(tmp_path / "x.y")
-    assert len(wayside.Paths.read(tmp_path / "x.y")) == 2
 
 
 def test_tracks_and_classes_belong_to_objects(scene: wayside.Scene) -> None:
@@ -305,57 +327,3 @@ def test_a_tone_lands_in_its_cell_of_the_map(scene: wayside.Scene) -> None:
     assert maps.velocity_mps[doppler] > 0
     assert maps.velocity_mps[16] == 0
     assert len(maps.range_m) == 64
-
-
-def test_files_are_those_of_the_command_line_to_the_byte(program: list[str], tmp_path: Path) -> None:
-    file = tmp_path / "scene.toml"
-    file.write_text(wayside.Scene(small_scene()).toml)
-    scene = wayside.Scene(file)
-    paths = scene.trace()
-    paths.write(tmp_path / "own.paths")
-    cube = scene.echo(paths)
-    cube.write(tmp_path / "own.cube")
-    found = cube.range_doppler().detect()
-    found.write(tmp_path / "own.points")
-    found.track().write(tmp_path / "own.tracks")
-    call([*program, "paths", str(file), "--out", "c.paths", "--quiet"], tmp_path)
-    call([*program, "echo", str(file), "--out", "c.cube", "--quiet"], tmp_path)
-    call([*program, "dsp", "c.cube", "--out", "dsp", "--quiet"], tmp_path)
-    pairs = {
-        "own.paths": "c.paths",
-        "own.cube": "c.cube",
-        "own.points": "dsp/c.points",
-        "own.tracks": "dsp/c.tracks",
-    }
-    for own, commands in pairs.items():
-        assert filecmp.cmp(tmp_path / own, tmp_path / commands, shallow=False), own
-    assert np.array_equal(wayside.Cube.read(tmp_path / "c.cube").samples, cube.samples)
-    assert len(wayside.Paths.read(tmp_path / "c.paths")) == 2
-
-
-def test_a_run_leaves_the_files_of_the_command_line(program: list[str], tmp_path: Path) -> None:
-    file = tmp_path / "scene.toml"
-    file.write_text(wayside.Scene(small_scene()).toml)
-    summary = wayside.Scene(file).run(tmp_path / "own")
-    call([*program, "run", str(file), "--out", "c", "--no-cache", "--quiet"], tmp_path)
-    files = sorted(p.relative_to(tmp_path / "c") for p in (tmp_path / "c").rglob("*") if p.is_file())
-    own = sorted(p.relative_to(tmp_path / "own") for p in (tmp_path / "own").rglob("*") if p.is_file())
-    assert own == files
-    for name in files:
-        if name.name not in ("summary.json", "report.html"):
-            assert filecmp.cmp(tmp_path / "own" / name, tmp_path / "c" / name, shallow=False), name
-    commands = json.loads((tmp_path / "c/summary.json").read_text())
-    assert _lasting(summary) == _lasting(commands)
-    assert [target["id"] for target in summary["frames"][0]["targets"]] == ["near", "far"]
-
-
-def _lasting(told: object) -> object:
-    """A summary without what may differ between runs: times and memory."""
-    if isinstance(told, list):
-        return [_lasting(each) for each in told]
-    if not isinstance(told, dict):
-        return told
-    passing = ("_seconds", "_mib")
-    return {
-        key: _lasting(value) for key, value in told.items() if not key.endswith(passing) and key != "cached"
-    }

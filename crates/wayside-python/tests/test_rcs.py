@@ -107,7 +107,7 @@ def test_materials_and_transmission_are_those_of_the_command(program: list[str],
 def test_transmission_needs_materials(plate: Path) -> None:
     with pytest.raises(ValueError, match="materials: transmission needs it"):
         wayside.rcs(plate, 77.0, transmission="on")
-    with pytest.raises(ValueError, match="transmission: `yes`; it can be `off`, `on`"):
+    with pytest.raises(ValueError, match="transmission: `yes`; it can be `on`, `off`"):
         wayside.rcs(plate, 77.0, transmission="yes")
     with pytest.raises(wayside.WaysideError, match="no-such.toml") as refused:
         wayside.rcs(plate, 77.0, materials="no-such.toml")

@@ -35,6 +35,43 @@ def test_paths_points_and_tracks_are_tables(scene: wayside.Scene) -> None:
     assert "covariance_3_3" in found.track().to_pandas().columns
 
 
+def test_points_objects_and_classes_are_tables_by_their_names(scene: wayside.Scene) -> None:
+    pytest.importorskip("pandas")
+    found = scene.detect()
+    assert found.to_pandas().equals(found.to_pandas("points"))
+    objects, classes = found.to_pandas("objects"), found.to_pandas("classes")
+    assert objects.range_m.tolist() == found.objects.range_m.tolist()
+    assert {"position_m_2", "range_extent_m_0", "ghost_share"} <= set(objects.columns)
+    assert set(objects.height) == {"assumed"}
+    assert classes.columns.tolist() == ["frame", "object", *wayside.CLASSES, "told"]
+    words = [*wayside.CLASSES, "unknown"]
+    assert classes.told.tolist() == [words[told] for told in found.classify().told]
+    assert len(classes) == len(objects) > 0
+    with pytest.raises(ValueError, match="of: `tracks`; it can be `points`, `objects`, `classes`"):
+        found.to_pandas("tracks")
+
+
+def test_classes_of_a_table_are_told_of_and_come_of_the_model_that_is_named(scene: wayside.Scene) -> None:
+    pytest.importorskip("pandas")
+    shares: list[float] = []
+    scene.detect().to_pandas("classes", progress=lambda text, share: shares.append(share))
+    assert shares[-1] == 1
+    with pytest.raises(wayside.WaysideError, match="no-such.model"):
+        scene.detect().to_pandas("classes", model="no-such.model")
+
+
+def test_a_table_of_cross_sections_has_named_axes() -> None:
+    pytest.importorskip("xarray")
+    table = wayside.rcs("car-suv", [1.0, 2.0], az_deg=[0.0, 1.0, 2.0], el_deg=5.0)
+    labelled = table.to_xarray()
+    assert labelled["s_m"].dims == labelled["rcs_dbsm"].dims == ("freq_hz", "el_deg", "az_deg")
+    assert labelled["s_m"].shape == (2, 1, 3)
+    assert np.array_equal(labelled["s_m"].values, table.s_m)
+    assert labelled["rcs_dbsm"].sel(freq_hz=2e9, az_deg=1.0).item() == table.rcs_dbsm[1, 0, 1]
+    assert (labelled["s_m"].attrs["units"], labelled["rcs_dbsm"].attrs["units"]) == ("m", "dBsm")
+    assert labelled.attrs["far_field_from_m"] == table.far_field_from_m
+
+
 def test_maps_of_sub_frames_have_each_their_own_velocities() -> None:
     waveform = {"samples": 64, "chirps": 32, "sub_frame_idle_us": [10.0, 17.0]}
     radar = {"waveform": waveform, "array": {"preset": "1x4"}}

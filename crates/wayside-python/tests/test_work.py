@@ -96,6 +96,15 @@ def test_stages_of_a_receiver_tell_of_each_frame_and_can_be_called_off() -> None
             work(progress=raise_enough)
 
 
+def test_the_following_of_objects_is_told_of_and_can_be_called_off() -> None:
+    found = wayside.Scene(many_frames()).detect()
+    shares: list[float] = []
+    tracks = found.track(progress=lambda text, share: shares.append(share))
+    assert (shares == sorted(shares), shares[-1], len(tracks)) == (True, 1, 60)
+    with pytest.raises(RuntimeError, match="enough at "):
+        found.track(progress=raise_enough)
+
+
 def test_the_share_never_falls_from_one_stage_of_a_scene_to_the_next() -> None:
     scene = wayside.Scene(many_frames())
     for work in (scene.range_doppler, scene.detect, scene.track):

@@ -13,16 +13,18 @@ mod samples; // IF samples of other sources as radar cubes
 mod processing; // maps, points, tracks and classes of cubes
 mod meshes; // files and own vehicles
 pub mod bounds; // ranges of the numbers that specify a table
-mod tables; // S of a mesh
+mod tables; // S of a mesh, with its description
 
-pub use bart_rcs::{RcsRequest, Standpoint};
 pub use echoes::{echoes, echoes_of_paths};
 pub use formats::export::delay_at_middle;
-pub use meshes::{dressed, far_field_from_m, materials, mesh, middle_hz};
+pub use meshes::mesh;
+pub(crate) use meshes::{dressed, far_field_from_m, materials};
 pub use opened_scene::{Cost, OpenedScene, inputs, radars};
 pub use processing::{Answered, Processing};
 pub use recorded::{Recorded, error_figures, model_error_figures};
 pub use samples::{check_parts, cubes_of_samples, sound, unit_of_floats};
 pub use scattering::paths;
 pub use scene_faults::{SceneFault, file_keys, scene_faults};
-pub use tables::{RcsTable, check_size, rcs};
+pub use tables::words as table_words;
+pub use tables::{AskedReceiver, AskedTable, DENSITY_PER_WAVELENGTH, DescribedTable, TableDescription, rcs};
+pub(crate) use tables::{RcsTable, TableTook, check_size, describe, write_values};

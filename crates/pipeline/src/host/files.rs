@@ -112,6 +112,15 @@ pub fn write_lasting(
     write(file, Durability::OnDisk, content)
 }
 
+/// Lets later work of this process write these results again: that of a command ends with the process, that
+/// of a program which holds the library does not.
+pub fn release(places: &[PathBuf]) {
+    let mut taken = taken();
+    for place in places {
+        taken.files.remove(&one_name(place));
+    }
+}
+
 fn write(
     file: &Path,
     durability: Durability,
@@ -161,6 +170,17 @@ mod tests {
             drop(writing);
         }
         assert_eq!(std::fs::read(out.join("a")).unwrap(), b"a");
+    }
+
+    #[test]
+    fn results_that_were_released_are_written_again() {
+        let folder = tempfile::tempdir().unwrap();
+        let places = ["a", "b"].map(|name| folder.path().join(name));
+        places.iter().for_each(|place| write_file(place, b"1").unwrap());
+        release(&places[..1]);
+        write_file(&places[0], b"2").unwrap();
+        assert!(write_file(&places[1], b"2").unwrap_err().to_string().contains("two results"));
+        assert_eq!(std::fs::read(&places[0]).unwrap(), b"2");
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 import os
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, final
+from typing import Any, Literal, final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -40,7 +40,7 @@ def withdraw() -> None:
     """Removes the temporary files of work that was called off and is still under way."""
 
 def mesh_bounds_m(mesh: _Path, unit_scale: float | None = None) -> NDArray[np.float64]:
-    """Lowest and highest coordinates of a mesh in metres, body axes as its file has them, [2, 3]."""
+    """Lowest and highest coordinates of a mesh in metres, body axes as its file has them, float64 [2, 3]."""
 
 def rcs(
     mesh: _Path,
@@ -65,7 +65,8 @@ def rcs(
     memory_limit_mib: int | None = None,
     progress: _Progress | None = None,
 ) -> Rcs:
-    """Makes S of a mesh by BART, as `wayside rcs` does: `s_m` of the result is [freq, el, az] in metres.
+    """Makes S of a mesh by BART, as `wayside rcs` does: `s_m` of the result is complex128 [freq, el, az] in
+    metres.
 
     `mesh` is a file (of assets of OpenMATERIAL 3D in their own materials) or the name of an own vehicle.
     `freq_ghz` (GHz), `az_deg` and `el_deg` are a number or numbers and become the three axes. Directions are
@@ -83,7 +84,8 @@ class Scene:
 
     `source` is the path of a TOML file, or a dictionary with the same keys, whose files are seen from
     `folder`. `radar` names one of several, `model` replaces the model of every target, `seed` and
-    `accuracy_db` the scene's. Raises WaysideError with every broken rule.
+    `accuracy_db` the scene's; `memory_limit_mib` is the memory that tracing may take. Raises WaysideError
+    with every broken rule.
     """
 
     def __new__(
@@ -118,9 +120,10 @@ class Scene:
         """Ids of several radars; empty where the scene has one."""
     @property
     def radar(self) -> dict[str, Any]:
-        """The radar in the words of the field, as `radar` of summary.json."""
+        """The radar in the words of the field, as `radar` of summary.json: carrier_hz, bandwidth_hz,
+        range_resolution_m, velocity_max_mps and more."""
     def cost(self) -> dict[str, float]:
-        """What a run of all frames is expected to take, before anything runs.
+        """Cost that a run of all frames is expected to have, before anything runs.
 
         frames, processor_s, processor_from_s, processor_to_s (nine of ten runs lie between), wall_s, threads,
         expected_memory_mib (held when most is), memory_mib (no more is held).
@@ -154,7 +157,8 @@ class Scene:
         """Runs everything and writes the files of `wayside run` into the folder `out`.
 
         Returns summary.json as a dictionary. `cache`: None or False for none, True for the default one, or a
-        folder.
+        folder. `classifier` is a file or a folder of `wayside train`; the one that ships where it is left
+        out.
         """
 
 @final
@@ -169,38 +173,40 @@ class PathsFrame:
         """Time of the frame's first sample, s."""
     @property
     def a_m(self) -> NDArray[np.complex128]:
-        """Scattering amplitude a in metres, [n, receive, transmit], v = 0, h = 1, at f_c."""
+        """Scattering amplitude a in metres, complex128 [n, receive, transmit], v = 0, h = 1, at f_c."""
     @property
     def slope_m_per_hz(self) -> NDArray[np.complex128]:
-        """Slope da/df in m/Hz, [n, receive, transmit]."""
+        """Slope da/df in m/Hz, complex128 [n, receive, transmit]."""
     @property
     def x_a_m(self) -> NDArray[np.float64]:
-        """Place x_a where the node appears from the transmitter, world metres, [n, 3]."""
+        """Place x_a where the node appears from the transmitter, world metres, float64 [n, 3]."""
     @property
     def x_b_m(self) -> NDArray[np.float64]:
-        """Place x_b where the node appears from the receiver, world metres, [n, 3]."""
+        """Place x_b where the node appears from the receiver, world metres, float64 [n, 3]."""
     @property
     def v_a_mps(self) -> NDArray[np.float64]:
-        """Velocity of x_a, m/s, [n, 3]."""
+        """Velocity of x_a, m/s, float64 [n, 3]."""
     @property
     def v_b_mps(self) -> NDArray[np.float64]:
-        """Velocity of x_b, m/s, [n, 3]."""
+        """Velocity of x_b, m/s, float64 [n, 3]."""
     @property
     def order(self) -> NDArray[np.uint8]:
-        """Number of bounces, [n]; 0 of a point target."""
+        """Number of bounces, uint8 [n]; 0 of a point target."""
     @property
     def target(self) -> NDArray[np.uint32]:
-        """Index of the target in `Paths.targets`, [n]; 4,294,967,295 of the road's own backscatter."""
+        """Index of the target in `Paths.targets`, uint32 [n]; 4,294,967,295 of the road's own backscatter."""
     @property
     def spans(self) -> np.recarray[Any, Any]:
-        """Part of the frame and of the array that each path stands for, [n]: first_s, step_s, moments,
-        moment, transmit, receive, first_m, step_m, places, place; NaN and −1 of one that stands for all."""
+        """Part of the frame and of the array that each path stands for, a `numpy.recarray` [n]: first_s,
+        step_s, moments, moment (of ways that were traced at several moments, each blended with its
+        neighbours), transmit [3], receive [3], first_m, step_m, places, place (likewise from several places
+        along the array's row); NaN and −1 of a path that stands for all of it."""
     @property
     def delay_s(self) -> NDArray[np.float64]:
-        """Delay at the frame's middle from the array's centre, s, [n]."""
+        """Delay at the frame's middle from the array's centre, s, float64 [n]."""
     @property
     def delay_rate(self) -> NDArray[np.float64]:
-        """Rate of the delay at the frame's middle, s/s, [n]."""
+        """Rate of the delay at the frame's middle, s/s, float64 [n]."""
     @property
     def error_db(self) -> dict[str, float | None]:
         """Numerical errors in dB relative to the echo; None where not estimated and of no error at all."""
@@ -234,9 +240,9 @@ class Cube:
     """Radar data cubes of the frames of a scene, √W or what was imported.
 
     `Cube(samples, scene)` makes them of anybody's samples: complex values [frame, channel, chirp, sample], or
-    of one frame [channel, chirp, sample]; `scene` is a Scene, a path or a dictionary and says what the
-    radar is. Their unit is what `import` takes it for: steps of a converter where `full_scale`, the largest
-    part of a sample, is told, or all samples are whole numbers; else √W.
+    of one frame [channel, chirp, sample]; `scene` is a Scene, a path or a dictionary and says what the radar
+    is. Their unit is what `import` takes it for: steps of a converter where `full_scale`, the largest part of
+    a sample, is told, or all samples are whole numbers; else √W.
     """
 
     def __new__(
@@ -256,10 +262,10 @@ class Cube:
         """Unit of the samples: "sqrt(W)", or "ADC steps" of a file that was imported so."""
     @property
     def samples(self) -> NDArray[np.complex64]:
-        """IF samples in `unit`, [frame, channel, chirp, sample]; channel = tx·N_rx + rx."""
+        """IF samples in `unit`, complex64 [frame, channel, chirp, sample]; channel = tx·N_rx + rx."""
     @property
     def time_s(self) -> NDArray[np.float64]:
-        """Times of the frames' first samples, s, [frame]."""
+        """Times of the frames' first samples, s, float64 [frame]."""
     @property
     def error_db(self) -> list[dict[str, float | None]]:
         """Numerical errors of each frame in dB relative to the echo."""
@@ -273,32 +279,40 @@ class Cube:
 class RangeDoppler:
     """Range-Doppler maps of the frames of a cube."""
 
+    @staticmethod
+    def read(file: _Path) -> RangeDoppler:
+        """Reads a `.rdm` artifact. Its maps have no samples, so `detect` refuses them where `refine` of [dsp]
+        is "on"."""
+    def write(self, file: _Path) -> None:
+        """Writes a `.rdm` artifact, the bytes of `wayside dsp`; another format's ending is refused."""
     @property
     def values(self) -> NDArray[np.complex64]:
-        """Map values in `unit`, [frame, channel, doppler, range]; zero velocity at N/2."""
+        """Map values in `unit`, complex64 [frame, channel, doppler, range]; zero velocity at N/2."""
     @property
     def mask(self) -> NDArray[np.uint8]:
-        """State of each cell, [frame, doppler, range]: 0 untested, 1 tested, 2 detected."""
+        """State of each cell, uint8 [frame, doppler, range]: 0 untested, 1 tested, 2 detected."""
     @property
     def range_m(self) -> NDArray[np.float64]:
-        """Ranges of the columns, m, [range]."""
+        """Ranges of the columns, m, float64 [range]."""
     @property
     def velocity_mps(self) -> NDArray[np.float64]:
-        """Radial velocities of the rows, m/s, receding positive, [doppler]; of the first sub-frame."""
+        """Radial velocities of the rows, m/s, receding positive, float64 [doppler]; of the first
+        sub-frame."""
     @property
     def velocity_of_frames_mps(self) -> NDArray[np.float64]:
-        """Radial velocities of the rows of each frame, m/s, receding positive, [frame, doppler]."""
+        """Radial velocities of the rows of each frame, m/s, receding positive, float64 [frame, doppler]."""
     @property
     def unit(self) -> str:
         """Unit of the values: "sqrt(W)", or "ADC steps" of samples that were imported so."""
     @property
     def time_s(self) -> NDArray[np.float64]:
-        """Times of the frames' first samples, s, [frame]."""
+        """Times of the frames' first samples, s, float64 [frame]."""
     @property
     def detections(self) -> list[int]:
         """Number of cells above the detector's threshold in each frame."""
     def detect(self, *, progress: _Progress | None = None) -> Detections:
-        """Points and objects of the maps; what their directions lack is told to the logger `wayside`."""
+        """Points and objects of the maps. What their directions lack (an array that tells no azimuth, points
+        without a height) is told to the logger `wayside`."""
     def to_xarray(self) -> Any:
         """Maps with named axes: `xarray.Dataset`, where xarray is installed."""
     def __len__(self) -> int: ...
@@ -307,41 +321,62 @@ class RangeDoppler:
 class Detections:
     """Detected points and objects of the frames of a cube."""
 
+    @staticmethod
+    def read(file: _Path) -> Detections:
+        """Reads a `.points` artifact. Its points have no maps, so `classify` refuses them."""
     @property
     def points(self) -> np.recarray[Any, Any]:
-        """Points of all frames, read-only: frame, range_m, radial_velocity_mps, azimuth_rad, elevation_rad,
-        position_m [3], snr_db, object, two_ways_rad [2], stationary, height.
+        """Points of all frames, a read-only `numpy.recarray`: frame, range_m, radial_velocity_mps (receding
+        positive), azimuth_rad (from +y towards +x), elevation_rad, position_m [3] in world metres, snr_db,
+        object (index among its frame's objects, −1 of a lone one), two_ways_rad [2] (NaN where there are
+        none), stationary (1 yes, 0 no, −1 not asked), height.
 
         height is an index into `wayside.HEIGHTS`: 2 measured by elevation rows, 1 assumed as
-        `assumed_height_m` says, 0 none: z is then the radar's own.
+        `assumed_height_m` says, 0 none: no place has that height and the range, and z is the radar's own.
         """
     @property
     def objects(self) -> np.recarray[Any, Any]:
-        """Objects of all frames, read-only: frame, range_m, radial_velocity_mps, azimuth_rad, position_m [3],
-        snr_db, points, lane, range_extent_m [2], velocity_extent_mps [2], velocity_resolved, ghost_share,
-        stationary, height (as of points)."""
-    def track(self) -> Tracks:
+        """Objects of all frames, a read-only `numpy.recarray`: frame, range_m, radial_velocity_mps,
+        azimuth_rad, position_m [3], snr_db, points (how many), lane (−1 of none), range_extent_m [2],
+        velocity_extent_mps [2], velocity_resolved, ghost_share (NaN where the array cannot tell), stationary,
+        height (as of points)."""
+    def track(self, *, progress: _Progress | None = None) -> Tracks:
         """Objects followed over the frames."""
     def classify(
         self, model: _Path | None = None, *, progress: _Progress | None = None
     ) -> np.recarray[Any, Any]:
-        """Classes of the objects: frame, object, a probability for each of `wayside.CLASSES`, told.
-
-        told is an index among them, −1 for "unknown". `model` is a file or a folder of `wayside train`.
-        """
+        """Classes of the objects, a `numpy.recarray`: frame, object, a probability for each of
+        `wayside.CLASSES`, told (index among them, −1 for "unknown"). `model` is a file or a folder of
+        `wayside train`; the one that ships where it is left out."""
     def write(self, file: _Path) -> None:
         """Writes a `.points` artifact, the bytes of `wayside dsp`; another format's ending is refused."""
-    def to_pandas(self) -> Any:
-        """Table of all points: `pandas.DataFrame`, where pandas is installed."""
+    def to_pandas(
+        self,
+        of: Literal["points", "objects", "classes"] = "points",
+        *,
+        model: _Path | None = None,
+        progress: _Progress | None = None,
+    ) -> Any:
+        """Table of all points, all objects or the objects' classes: `pandas.DataFrame`, where pandas is
+        installed.
+
+        `of` is "points", "objects" or "classes"; `model` and `progress` are those of `classify`.
+        """
     def __len__(self) -> int: ...
 
 @final
 class Tracks:
     """Tracks of the frames of a cube."""
 
+    @staticmethod
+    def read(file: _Path) -> Tracks:
+        """Reads a `.tracks` artifact."""
     @property
     def records(self) -> np.recarray[Any, Any]:
-        """Tracks of all frames: frame, id, state (0 tentative, 1 confirmed, 2 coasting), age_frames, …"""
+        """Tracks of all frames, a read-only `numpy.recarray`: frame, id, state (0 tentative, 1 confirmed, 2
+        coasting), age_frames, missed_frames, position_m [2], velocity_mps [2], covariance [4, 4] of (x, y,
+        v_x, v_y), velocity_resolved, lane (−1 of none), box_centre_m [2], box_length_m, box_width_m,
+        box_heading_rad (from world +x towards +y)."""
     def write(self, file: _Path) -> None:
         """Writes a `.tracks` artifact, the bytes of `wayside dsp`; another format's ending is refused."""
     def to_pandas(self) -> Any:
@@ -352,21 +387,29 @@ class Tracks:
 class Rcs:
     """Scattering amplitude S of a mesh over frequency, elevation and azimuth."""
 
+    @staticmethod
+    def read(file: _Path) -> Rcs:
+        """Reads a table of `wayside rcs` or of `write`: `S.npy` with the `S.json` beside it."""
+    def write(self, file: _Path) -> None:
+        """Writes the table as `S.npy`, the bytes of `wayside rcs`, and its description as `S.json` beside it;
+        another format's ending is refused."""
     @property
     def s_m(self) -> NDArray[np.complex128]:
-        """Scattering amplitude S in metres, [freq, el, az], phase at the mesh's origin; |S|² is the RCS."""
+        """Scattering amplitude S in metres, complex128 [freq, el, az], phase at the mesh's origin; |S|² is
+        the RCS."""
     @property
     def rcs_dbsm(self) -> NDArray[np.float64]:
-        """Radar cross section in dBsm, [freq, el, az]."""
+        """Radar cross section in dBsm, float64 [freq, el, az]; of `s_m` as it is now."""
     @property
     def freq_hz(self) -> NDArray[np.float64]:
-        """Frequencies, Hz, [freq]."""
+        """Frequencies, Hz, float64 [freq]."""
     @property
     def el_deg(self) -> NDArray[np.float64]:
-        """Elevations above the body's horizon, degrees, [el]."""
+        """Elevations above the body's horizon, degrees, float64 [el]."""
     @property
     def az_deg(self) -> NDArray[np.float64]:
-        """Azimuths, degrees, [az]; 0 looks at the body's front, growing counter-clockwise from above."""
+        """Azimuths, degrees, float64 [az]; 0 looks at the body's front, growing counter-clockwise from
+        above."""
     @property
     def range_m(self) -> float:
         """Distance of the antenna from the mesh's origin, m; infinite for the far field."""

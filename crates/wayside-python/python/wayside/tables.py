@@ -56,11 +56,12 @@ def rcs_to_xarray(table: Rcs) -> Any:
 def records_to_pandas(records: Any) -> Any:
     """``pandas.DataFrame`` of a record array; a field of several values has a column for each.
 
-    ``height`` has the words of ``export --to csv``: "measured", "assumed" or "none".
+    ``height`` has the words of ``export --to csv``: "measured", "assumed" or "none"; ``told`` of classes has
+    their names, or "unknown".
     """
     import pandas
 
-    from . import HEIGHTS
+    from . import CLASSES, HEIGHTS
 
     columns: dict[str, Any] = {}
     for name in records.dtype.names:
@@ -68,8 +69,10 @@ def records_to_pandas(records: Any) -> Any:
         for place in np.ndindex(values.shape[1:]):
             suffix = "".join(f"_{index}" for index in place)
             columns[name + suffix] = values[(slice(None), *place)]
-    if "height" in columns:
-        columns["height"] = np.array(HEIGHTS, dtype=object)[columns["height"]]
+    # The index −1 is that of the last word.
+    for name, words in (("height", HEIGHTS), ("told", (*CLASSES, "unknown"))):
+        if name in columns:
+            columns[name] = np.array(words, dtype=object)[columns[name]]
     return pandas.DataFrame(columns)
 
 

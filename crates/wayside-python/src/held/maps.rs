@@ -1,19 +1,25 @@
-//! Range-Doppler maps of the frames of a cube, which Python holds and the library reads.
+//! Range-Doppler maps of the frames of a cube or of a file, which Python holds and the library reads.
 
 use crate::arrays;
 use crate::held::samples::Samples;
 use crate::held::values::Values;
-use artifact::rdm::RdmFrame;
+use artifact::Provenance;
+use artifact::cube::CubeHeader;
+use artifact::rdm::{Rdm, RdmFrame};
 use ndarray::{Ix3, Ix4};
 use num_complex::Complex32;
 use pyo3::prelude::*;
 use std::sync::Arc;
-use wayside::stepwise::Processing;
+use wayside::stepwise::{Processing, Recorded};
 
 /// Maps and what they were made of.
 pub(crate) struct Maps {
-    /// Samples that they are of.
-    pub(crate) samples: Arc<Samples>,
+    /// Origin of the maps.
+    pub(crate) from: Provenance,
+    /// The radar and the settings of its processing.
+    pub(crate) header: CubeHeader,
+    /// Samples that they are of; `None` of a file.
+    pub(crate) samples: Option<Arc<Samples>>,
     /// Receiver of the samples' radar.
     pub(crate) processing: Arc<Processing>,
     /// Values `[frame, channel, doppler, range]`.
@@ -28,18 +34,19 @@ impl Maps {
     /// Hands the maps over to Python.
     pub(crate) fn of(
         py: Python<'_>,
-        samples: Arc<Samples>,
+        recorded: Recorded<Rdm>,
         processing: Processing,
-        mut frames: Vec<RdmFrame>,
+        samples: Option<Arc<Samples>>,
     ) -> PyResult<Self> {
-        let [channels, doppler, range] = artifact::rdm::shape(&samples.header);
+        let Recorded { from, header, mut frames } = recorded;
+        let [channels, doppler, range] = artifact::rdm::shape(&header);
         let count = frames.len();
         let values = joined(&mut frames, |frame| &mut frame.values);
         let masks = joined(&mut frames, |frame| &mut frame.mask);
         let values = arrays::shaped(py, values, [count, channels, doppler, range])?;
         let mask = arrays::shaped(py, masks, [count, doppler, range])?;
         let (values, mask) = (Values::of("values", &values), Values::of("mask", &mask));
-        Ok(Self { samples, processing: Arc::new(processing), values, mask, frames })
+        Ok(Self { from, header, samples, processing: Arc::new(processing), values, mask, frames })
     }
 
     /// Maps as the library takes them.
@@ -55,6 +62,11 @@ impl Maps {
             ..about.clone()
         };
         Ok(self.frames.iter().zip(parts).map(frame).collect())
+    }
+
+    /// Artifact of the maps.
+    pub(crate) fn recorded(&self, py: Python<'_>) -> PyResult<Recorded<Rdm>> {
+        Ok(Recorded { from: self.from.clone(), header: self.header.clone(), frames: self.frames(py)? })
     }
 }
 

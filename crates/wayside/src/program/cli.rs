@@ -5,10 +5,7 @@ use crate::program::export_formats::help_on_formats;
 #[cfg(feature = "classifier")]
 use crate::program::learning_cli::LearningCommand;
 use crate::program::numbers::whole;
-use crate::program::option_words::{
-    AxesWord, EDGES, FormatWord, MethodWord, NODES, POLARIZATIONS, SIDES, SURFACES, TRANSMISSION, boards,
-    iq_orders, lanes, one_of,
-};
+use crate::program::option_words::{AxesWord, FormatWord, MethodWord, boards, iq_orders, lanes, one_of};
 use crate::program::suggestion::suggest;
 use crate::program::terminal::{self, Results};
 use crate::program::values::{Axis, Place, Shard};
@@ -17,6 +14,7 @@ use crate::program::values::{
     range,
 };
 use crate::program::values::{full_scale, scale, shard, step};
+use crate::stepwise::table_words::{EDGES, NODES, POLARIZATIONS, SIDES, SURFACES, TRANSMISSION};
 use artifact::material::Transmission;
 use artifact::radar::Polarization;
 use artifact::seed::SEEDS;
@@ -290,7 +288,7 @@ impl RcsArguments {
 
     /// Samples or rays per wavelength of the references.
     pub(crate) fn density(&self) -> f64 {
-        self.density.unwrap_or(6.0)
+        self.density.unwrap_or(DENSITY_PER_WAVELENGTH)
     }
 
     /// Allowed relative amplitude error, dB.

@@ -1,8 +1,5 @@
-//! Options with a fixed set of words.
+//! Options with a fixed set of words; those of the settings of a table of S are `stepwise::table_words`.
 
-use artifact::material::Transmission;
-use artifact::radar::Polarization;
-use artifact::settings::{Edges, NodeRule, Sides, Surface};
 use clap::ValueEnum;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use formats::devices::{Board, IqOrder, Lanes};
@@ -18,22 +15,6 @@ pub(crate) fn one_of<W: Into<PossibleValue>, T: Copy + Send + Sync + 'static>(
         meant.map(|(_, setting)| *setting).ok_or("it is no word of this option")
     })
 }
-
-/// Word of a setting; empty if it has none.
-pub(crate) fn word_of<T: PartialEq>(words: &[(&'static str, T)], setting: T) -> &'static str {
-    words.iter().find(|(_, other)| *other == setting).map_or("", |(word, _)| word)
-}
-
-/// Polarizations by their words: the first letter receives, the second transmits.
-pub(crate) const POLARIZATIONS: [(&str, Polarization); 4] =
-    [("vv", Polarization::Vv), ("hh", Polarization::Hh), ("vh", Polarization::Vh), ("hv", Polarization::Hv)];
-pub(crate) const EDGES: [(&str, Edges); 2] = [("on", Edges::FirstOrder), ("off", Edges::Ignored)];
-pub(crate) const NODES: [(&str, NodeRule); 3] =
-    [("middle", NodeRule::Middle), ("exit", NodeRule::Exit), ("own-edge", NodeRule::OwnEdge)];
-pub(crate) const SURFACES: [(&str, Surface); 2] = [("flat", Surface::Flat), ("smooth", Surface::Smooth)];
-pub(crate) const SIDES: [(&str, Sides); 2] = [("two", Sides::Two), ("one", Sides::One)];
-pub(crate) const TRANSMISSION: [(&str, Transmission); 2] =
-    [("on", Transmission::Followed), ("off", Transmission::Ignored)];
 
 /// Evaluation boards of device families, automotive and industrial alike.
 pub(crate) fn boards() -> impl TypedValueParser<Value = Board> {

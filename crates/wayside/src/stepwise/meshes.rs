@@ -34,7 +34,12 @@ pub fn mesh(place: &Path, unit_scale: Option<f64>) -> Result<Mesh, Failure> {
 ///
 /// # Errors
 /// A file of the asset is missing or refused.
-pub fn dressed(mesh: Mesh, place: &Path, map: &MaterialMap, frequency_hz: &[f64]) -> Result<Mesh, Failure> {
+pub(crate) fn dressed(
+    mesh: Mesh,
+    place: &Path,
+    map: &MaterialMap,
+    frequency_hz: &[f64],
+) -> Result<Mesh, Failure> {
     let map = scene::asset_materials(place, &mesh.materials, map, middle_hz(frequency_hz))
         .map_err(loading::of_asset)?;
     Ok(Mesh { makeup: map.makeup(&mesh.materials), ..mesh })
@@ -45,7 +50,7 @@ pub fn dressed(mesh: Mesh, place: &Path, map: &MaterialMap, frequency_hz: &[f64]
 ///
 /// # Errors
 /// Every rule that the file breaks; the file is missing.
-pub fn materials(
+pub(crate) fn materials(
     file: Option<&Path>,
     transmission: Transmission,
     frequency_hz: &[f64],
@@ -55,17 +60,13 @@ pub fn materials(
 }
 
 /// The middle between the lowest and the highest frequency, at which materials are evaluated.
-pub fn middle_hz(frequency_hz: &[f64]) -> f64 {
+fn middle_hz(frequency_hz: &[f64]) -> f64 {
     let [lowest, highest] = [f64::min, f64::max].map(|end| frequency_hz.iter().copied().reduce(end));
     0.5 * (lowest.unwrap_or(0.0) + highest.unwrap_or(0.0))
 }
 
-/// Far-field distance 2D²/λ at the highest frequency in m, D the diagonal of the mesh's bounding box.
-pub fn far_field_from_m(mesh: &Mesh, frequency_hz: &[f64]) -> f64 {
-    let side_m = |axis: usize| {
-        let along = || mesh.vertices_m.iter().map(|v| v[axis]);
-        along().fold(f64::MIN, f64::max) - along().fold(f64::MAX, f64::min)
-    };
+/// Far-field distance 2D²/λ at the highest frequency in m, D the diagonal of a box of this size.
+pub(crate) fn far_field_from_m(size_m: [f64; 3], frequency_hz: &[f64]) -> f64 {
     let highest_hz = frequency_hz.iter().copied().fold(0.0, f64::max);
-    2.0 * (0..3).map(|axis| side_m(axis).powi(2)).sum::<f64>() * highest_hz / SPEED_OF_LIGHT_MPS
+    2.0 * size_m.map(|side_m| side_m.powi(2)).iter().sum::<f64>() * highest_hz / SPEED_OF_LIGHT_MPS
 }

@@ -4,7 +4,7 @@ use artifact::Provenance;
 use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::points::{PointsFrame, PointsHeader};
 use artifact::rdm::RdmFrame;
-use artifact::settings::Class;
+use artifact::settings::{Class, Refine};
 use artifact::tracks::{TracksFrame, TracksHeader};
 use dsp::{ROAD_TRAFFIC, Receiver, Tracker, has_noise};
 use pipeline::chain::loaded_model::LoadedModel;
@@ -20,6 +20,10 @@ pub struct Processing {
     header: CubeHeader,
     receiver: Receiver,
 }
+
+/// Refusal of maps without samples, whose settings refine points on samples.
+const WITHOUT_SAMPLES: &str = "refine = \"on\" in [dsp] refines points on the samples, which maps of a file \
+                               do not have: detect on maps of the cube";
 
 /// Answer of a classifier about an object.
 pub struct Answered {
@@ -90,9 +94,26 @@ impl Processing {
         call_off: &CallOff,
     ) -> Result<Vec<PointsFrame>, Failure> {
         let detect = |(map, cube)| self.receiver.detect_refined(map, cube).map_err(Failure::refused);
-        let detected = each(maps.iter().zip(cubes), call_off, detect)?;
+        Ok(self.resolved(&each(maps.iter().zip(cubes), call_off, detect)?))
+    }
+
+    /// Points and objects of maps without their samples, as [`Self::points`] finds them.
+    ///
+    /// # Errors
+    /// Settings that refine points on the samples; maps that are not the radar's; called off between two
+    /// frames.
+    pub fn points_of_maps(&self, maps: &[RdmFrame], call_off: &CallOff) -> Result<Vec<PointsFrame>, Failure> {
+        if self.header.dsp.refine == Refine::Isolated {
+            return Err(Failure::refused(WITHOUT_SAMPLES));
+        }
+        let detect = |map| self.receiver.detect(map).map_err(Failure::refused);
+        Ok(self.resolved(&each(maps.iter(), call_off, detect)?))
+    }
+
+    /// Points with the velocities of sub-frames resolved by each other, cycle by cycle.
+    fn resolved(&self, detected: &[PointsFrame]) -> Vec<PointsFrame> {
         let cycles = detected.chunks(self.receiver.frames_in_cycle());
-        Ok(cycles.flat_map(|cycle| self.receiver.resolved(cycle.to_vec())).collect())
+        cycles.flat_map(|cycle| self.receiver.resolved(cycle.to_vec())).collect()
     }
 
     /// Sentences about missing properties of points, as printed by `dsp` and `run`: noise, azimuths, heights.

@@ -10,8 +10,13 @@ use wayside::host::failure::Failure;
 /// A package of some kilobytes, to test whether PyPI is reachable.
 const SMALL_PACKAGE: &str = "zipp==4.1.2";
 
+/// Environment variable that names the interpreter of most checks, and the interpreter where it is not set.
+pub(super) const PYTHON: [&str; 2] = ["PYTHON", "python3"];
+
 /// Requirements of a check.
 pub(super) struct Needs<'a> {
+    /// Environment variable that names the interpreter, and the interpreter where it is not set.
+    pub(super) interpreter: [&'a str; 2],
     /// Python expression that succeeds if the interpreter is suitable.
     pub(super) expression: &'a str,
     /// Description of the requirement for the message.
@@ -24,6 +29,7 @@ impl<'a> Needs<'a> {
     /// Requirements of scripts that start and kill processes.
     pub(super) fn of_scripts(requirements: &'a str) -> Self {
         Self {
+            interpreter: PYTHON,
             expression: "import ensurepip, os, sys, venv; \
                          sys.exit(sys.version_info < (3, 10) or not os.path.isdir('/proc/1'))",
             in_words: "no Python of version 3.10 with venv on a system with /proc (PYTHON names it)",
@@ -41,7 +47,8 @@ impl Interpreter {
     /// Makes the environment in a folder, or reuses one with exactly these versions; counts the check as
     /// skipped and returns `None` without a Python or PyPI.
     pub(super) fn of(needs: &Needs, folder: &Path, tally: &mut Tally) -> Result<Option<Self>, Failure> {
-        let python = std::env::var_os("PYTHON").unwrap_or("python3".into());
+        let [variable, otherwise] = needs.interpreter;
+        let python = std::env::var_os(variable).unwrap_or(otherwise.into());
         if !is_good(Command::new(&python).args(["-c", needs.expression])) {
             return skipped(tally, needs.in_words).map(|()| None);
         }
@@ -103,6 +110,7 @@ mod tests {
             ("docs/interchange/requirements.txt", &["osi-python", "mcap-ros2-support", "eclipse-sumo"]),
             ("docs/training-sets/requirements.txt", &["numpy", "pandas", "pyarrow", "scipy"]),
             ("crates/wayside-python/tests/requirements.txt", &["pytest", "mypy"]),
+            ("crates/wayside-python/tests/requirements-oldest.txt", &["numpy==1.24", "pytest"]),
             ("docs/site/requirements.txt", &["zensical"]),
         ] {
             let pins = pins(list).unwrap();

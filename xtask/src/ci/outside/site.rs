@@ -2,7 +2,7 @@
 //! output with the page. It needs a Python with `venv` and PyPI; without them it is skipped with a message.
 
 use crate::ci::commands::{Tally, counted};
-use crate::ci::outside::interpreter::{Interpreter, Needs};
+use crate::ci::outside::interpreter::{Interpreter, Needs, PYTHON};
 use crate::project::{project_root, this_program};
 use std::process::Command;
 use wayside::host::failure::Failure;
@@ -15,6 +15,7 @@ const NEEDED: &str = "import ensurepip, sys, venv; sys.exit(sys.version_info < (
 pub(crate) fn check(tally: &mut Tally) -> Result<(), Failure> {
     let requirements = format!("{SCRIPTS}/requirements.txt");
     let needs = Needs {
+        interpreter: PYTHON,
         expression: NEEDED,
         in_words: "no Python of version 3.11 with venv (PYTHON names it)",
         requirements: &requirements,

@@ -15,22 +15,18 @@ use crate::program::interrupt;
 use crate::program::option_words::MethodWord;
 use crate::program::terminal;
 use crate::remarks;
-use crate::stepwise;
-use answer::{Answer, CommandTook};
-use artifact::Accuracy;
+use crate::stepwise::{self, AskedReceiver, AskedTable, RcsTable, TableTook};
 use artifact::envelope::fingerprint;
 use artifact::scene::Mesh;
 use artifact::settings::NodeRule;
-use bart_rcs::{CalledOff, RcsRequest, Standpoint, Surroundings};
-use formats::npy_stream::NpyStream;
+use bart_rcs::{CalledOff, RcsRequest, Surroundings};
 use formats::sidecar;
-use num_complex::Complex64;
 use pipeline::chain::stages::Stage;
 use pipeline::host::checkpoint::Checkpoint;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::host::memory::Allowance;
-use pipeline::host::processor_time::{Counted, WorkClock};
+use pipeline::host::processor_time::WorkClock;
 use pipeline::host::progress::{self, Work};
 use sampling::Samplings;
 use serde_json::Value;
@@ -42,7 +38,9 @@ pub(crate) fn run(arguments: &RcsArguments, memory: Allowance) -> Result<(), Fai
         .chain(&arguments.materials)
         .for_each(|file| artifact::inputs::note(file));
     check(arguments)?;
-    let request = request(arguments)?;
+    let asked = asked(arguments);
+    stepwise::check_size(asked.shape())?;
+    let request = asked.request();
     let mesh = progress::during(format!("reading {}", arguments.mesh.display()), || {
         dressed(stepwise::mesh(&arguments.mesh, arguments.unit_scale)?, arguments, &request)
     })?;
@@ -52,37 +50,28 @@ pub(crate) fn run(arguments: &RcsArguments, memory: Allowance) -> Result<(), Fai
     let checkpoint =
         progress::during("looking for an earlier run of this", || checkpoint(arguments, &mesh, &request));
     interrupt::keeps_as_told("aspects", checkpoint.watch());
-    let answer = match arguments.method {
+    let table = match arguments.method {
         MethodWord::Bart => traced(&mesh, &request, &checkpoint, &clock, memory)?,
         MethodWord::Po | MethodWord::Sbr => {
             references::answer(arguments, &mesh, &request, &checkpoint, &clock)?
         }
     };
-    let shape = [request.frequency_hz.len(), request.elevation_rad.len(), request.azimuth_rad.len()];
-    NpyStream::write::<Complex64>(&arguments.out, &shape, |stream| {
-        stream.append(&answer.amplitude_m)?;
-        sidecar::outdate_table(&arguments.out)
-    })?;
-    let answer = Answer { cached: checkpoint.aspects(), ..answer };
+    stepwise::write_values(&arguments.out, asked.shape(), &table.amplitude_m)?;
+    let table = RcsTable { cached: checkpoint.aspects(), ..table };
     let samplings = arguments.pictures.then(|| Samplings::of(&mesh, &request));
-    let took = CommandTook {
-        load,
-        total: start.elapsed().as_secs_f64(),
-        processor_total: (clock.counted() == Counted::Processor).then(|| clock.seconds()),
-        counted: clock.counted(),
-    };
-    let mut described = answer.json(arguments, &mesh, &took);
+    let took = TableTook::since(start, &clock, load);
+    let mut described = stepwise::describe(&asked, &mesh, &table, &took);
     described["pictures"] = samplings.as_ref().map_or(Value::Null, Samplings::json);
     sidecar::write_of_table(&arguments.out, &described)?;
     checkpoint.finish();
     if let Some(samplings) = &samplings {
         let _under_way = Work::begin("pictures");
-        pictures::write(&arguments.out, &mesh, &request, samplings, &answer.amplitude_m)?;
-        pictures::write_facets(&arguments.out, &mesh, &request, &answer.amplitude_m)?;
+        pictures::write(&arguments.out, &mesh, &request, samplings, &table.amplitude_m)?;
+        pictures::write_facets(&arguments.out, &mesh, &request, &table.amplitude_m)?;
     }
     let written = samplings.as_ref().map(|_| pictures::written(&request));
     pictures::remark_on_others(&arguments.out, &written.unwrap_or_default());
-    answer.tell(arguments, &mesh);
+    answer::tell(&table, &asked, &mesh, &arguments.out);
     for warning in samplings.iter().flat_map(Samplings::warnings) {
         terminal::line(format!("pictures: {warning}"));
     }
@@ -134,14 +123,14 @@ fn traced(
     checkpoint: &Checkpoint,
     clock: &WorkClock,
     memory: Allowance,
-) -> Result<Answer, Failure> {
+) -> Result<RcsTable, Failure> {
     let work = Work::resumed("aspects", checkpoint.aspects());
     let (memory_limit, clock_s) = (memory.limit(), &|| clock.seconds());
     // An interrupt ends the program; aspects that are done are in the checkpoint.
     let called_off = CalledOff::NEVER;
     let surroundings =
         Surroundings { memory_limit, keeper: checkpoint, progress: &work, clock_s, called_off };
-    bart_rcs::rcs_within(mesh, request, &surroundings).map(Answer::of_bart).map_err(Failure::refused)
+    bart_rcs::rcs_within(mesh, request, &surroundings).map(RcsTable::of_bart).map_err(Failure::refused)
 }
 
 /// Notes materials whose permittivities belong to other frequencies, and a receiver behind the body.
@@ -164,30 +153,33 @@ fn dressed(mesh: Mesh, arguments: &RcsArguments, request: &RcsRequest) -> Result
     Ok(mesh)
 }
 
-fn request(arguments: &RcsArguments) -> Result<RcsRequest, Failure> {
-    let radians = |degrees: &[f64]| degrees.iter().map(|d| d.to_radians()).collect::<Vec<_>>();
-    let axes = [&arguments.freq_ghz, &arguments.el_deg, &arguments.az_deg].map(|axis| axis.values.len());
-    stepwise::check_size(axes)?;
-    Ok(RcsRequest {
+/// The table that the arguments ask for.
+fn asked(arguments: &RcsArguments) -> AskedTable {
+    AskedTable {
+        mesh: arguments.mesh.clone(),
+        unit_scale: arguments.unit_scale,
+        materials: arguments.materials.clone(),
+        transmission: arguments.transmission,
+        method: format!("{:?}", arguments.method).to_lowercase(),
+        density_per_wavelength: arguments.density(),
         frequency_hz: arguments.freq_ghz.values.iter().map(|f| f * 1e9).collect(),
-        elevation_rad: radians(&arguments.el_deg.values),
-        azimuth_rad: radians(&arguments.az_deg.values),
+        elevation_deg: arguments.el_deg.values.clone(),
+        azimuth_deg: arguments.az_deg.values.clone(),
         range_m: arguments.range_m,
         receiver: receiver(arguments),
         polarization: arguments.pol,
         bounces: arguments.bounces(),
         nodes: arguments.nodes(),
+        sides: arguments.sides,
         edges: arguments.edges,
         surface: arguments.surface,
-        sides: arguments.sides,
-        accuracy: Accuracy::from_db(arguments.accuracy_db()),
-    })
+        accuracy_db: arguments.accuracy_db(),
+    }
 }
 
-fn receiver(arguments: &RcsArguments) -> Option<Standpoint> {
-    let (azimuth, elevation) = (arguments.rx_az_deg?, arguments.rx_el_deg?);
-    let range_m = arguments.rx_range_m.unwrap_or(arguments.range_m);
-    Some(Standpoint { azimuth_rad: azimuth.to_radians(), elevation_rad: elevation.to_radians(), range_m })
+fn receiver(arguments: &RcsArguments) -> Option<AskedReceiver> {
+    let (azimuth_deg, elevation_deg) = (arguments.rx_az_deg?, arguments.rx_el_deg?);
+    Some(AskedReceiver { azimuth_deg, elevation_deg, range_m: arguments.rx_range_m })
 }
 
 #[cfg(test)]
@@ -204,6 +196,6 @@ mod tests {
         let Command::Rcs(arguments) = Arguments::try_parse_from(words.split(' ')).unwrap().command else {
             unreachable!("`rcs` was asked for");
         };
-        assert_eq!(request(&arguments).unwrap(), RcsRequest::over(vec![77e9], vec![0.0], vec![0.0]));
+        assert_eq!(asked(&arguments).request(), RcsRequest::over(vec![77e9], vec![0.0], vec![0.0]));
     }
 }

@@ -1,12 +1,12 @@
 //! `rcs --method po` and `--method sbr`: the slow references, aspect by aspect.
 
 use crate::program::cli::RcsArguments;
-use crate::program::commands::rcs::answer::Answer;
 use crate::program::option_words::MethodWord;
+use crate::stepwise::RcsTable;
 use artifact::paths::Amplitude;
 use artifact::scene::Mesh;
 use artifact::settings::{Edges, NodeRule, Surface};
-use bart_rcs::{Keeper, Piece, RcsRequest, Standpoint};
+use bart_rcs::{Keeper, Piece, RcsRequest, RcsSeconds, Standpoint};
 use num_complex::Complex64;
 use pipeline::host::checkpoint::Checkpoint;
 use pipeline::host::failure::Failure;
@@ -23,7 +23,7 @@ pub(super) fn answer(
     request: &RcsRequest,
     checkpoint: &Checkpoint,
     clock: &WorkClock,
-) -> Result<Answer, Failure> {
+) -> Result<RcsTable, Failure> {
     check(request)?;
     bart_rcs::check_antennas(mesh, request).map_err(Failure::refused)?;
     let start_s = clock.seconds();
@@ -49,7 +49,8 @@ pub(super) fn answer(
         values.iter().enumerate().for_each(|(f, value)| table[f * aspects + number] = *value);
         work.at(number + 1, aspects);
     }
-    Ok(Answer { amplitude_m: table, trace_seconds: clock.seconds() - start_s, ..Answer::default() })
+    let seconds = RcsSeconds { trace: clock.seconds() - start_s, ..RcsSeconds::default() };
+    Ok(RcsTable { amplitude_m: table, seconds, ..RcsTable::default() })
 }
 
 fn to_bytes(values: &[Complex64]) -> Vec<u8> {
