@@ -107,10 +107,9 @@ struct Tables {
 
 impl Tables {
     fn of(folder: &Path, clouds: &[&Cloud]) -> Result<Self, Failure> {
-        let tokens = |token: fn(&Cloud) -> &str| -> BTreeSet<&str> {
-            clouds.iter().map(|cloud| token(cloud)).collect()
-        };
-        let samples = tokens(|cloud| &cloud.sample_token);
+        let samples = tokens(clouds, |cloud| &cloud.sample_token);
+        let ego_poses = tokens(clouds, |cloud| &cloud.ego_pose_token);
+        let sensors = tokens(clouds, |cloud| &cloud.calibrated_sensor_token);
         let mut annotations: BTreeMap<String, Vec<_>> = BTreeMap::new();
         each_row(&table(folder, "sample_annotation"), |row: Annotation, number| {
             if samples.contains(row.sample_token.as_str()) {
@@ -119,11 +118,8 @@ impl Tables {
         })?;
         Ok(Self {
             folder: folder.to_owned(),
-            ego_poses: poses(&table(folder, "ego_pose"), &tokens(|cloud| &cloud.ego_pose_token))?,
-            sensors: poses(
-                &table(folder, "calibrated_sensor"),
-                &tokens(|cloud| &cloud.calibrated_sensor_token),
-            )?,
+            ego_poses: poses(&table(folder, "ego_pose"), &ego_poses)?,
+            sensors: poses(&table(folder, "calibrated_sensor"), &sensors)?,
             annotations,
             instances: instances(folder)?,
         })
@@ -197,6 +193,11 @@ fn rotation([w, x, y, z]: [f64; 4], name: &'static str) -> Result<DQuat, LabelEr
     let turn = DQuat::from_xyzw(x, y, z, w);
     let is_unit = (turn.length() - 1.0).abs() <= ROTATION_TOLERANCE;
     is_unit.then(|| turn.normalize()).ok_or(LabelError::NoRotation(name))
+}
+
+/// Tokens of one kind that clouds name.
+fn tokens<'a>(clouds: &[&'a Cloud], token: fn(&Cloud) -> &str) -> BTreeSet<&'a str> {
+    clouds.iter().copied().map(token).collect()
 }
 
 /// Rows of a table of poses that have one of these tokens.
