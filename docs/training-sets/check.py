@@ -469,7 +469,8 @@ rx_half_wavelengths = {[[i, 0] for i in range(channels)]}
 
 def foreign_clouds(program):
     told = []
-    for folder in ["kitti/training/velodyne", "nuscenes/samples/RADAR_FRONT"]:
+    for folder, labels in [("kitti/training/velodyne", "kitti/training/label_2"),
+                           ("nuscenes/samples/RADAR_FRONT", "nuscenes/v1.0-wayside")]:
         name = folder.split("/")[0]
         wayside(program, "import", folder, "--scene", "sets.toml", "--out", f"{name}.points")
         wayside(program, "export", f"{name}.points", "--to", "csv", "--out", f"{name}.csv")
@@ -479,11 +480,18 @@ def foreign_clouds(program):
         order = ["frame", "range_m", "az_deg"]
         ours, theirs = ours.sort_values(order), theirs.sort_values(order)
         same(ours[columns].to_numpy(), theirs[columns].to_numpy(), f"points of {name}", 1e-4)
-        words = [program, "score", f"{name}.points", "--scene", "run/scene.scene"]
-        score = json.loads(subprocess.run(words, check=True, capture_output=True).stdout)
+        score, labelled = [scored(program, f"{name}.points", *truth)
+                           for truth in (["--scene", "run/scene.scene"], ["--labels", labels])]
         same(score["objects"]["found"] > 0, True, f"objects found of {name}")
+        for count in ["found", "missed", "false"]:
+            same(score["objects"][count], labelled["objects"][count], f"{count} by the labels of {name}", 0.0)
         told.append(f"{name}: {len(theirs)} points, {score['objects']['found']} bodies found of 6")
     return "; ".join(told)
+
+
+def scored(program, *words):
+    output = subprocess.run([program, "score", *words], check=True, capture_output=True).stdout
+    return json.loads(output)
 
 
 if __name__ == "__main__":

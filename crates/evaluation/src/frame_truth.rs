@@ -1,9 +1,11 @@
 //! Ground truth of one frame, made after all processing: its bodies, their objects, and the origin of each
 //! point.
 
+use crate::labelled_box::LabelledBox;
 use crate::labels::Origin;
 use crate::pairing::{Pairing, Reach};
 use crate::truth::{Truth, truths};
+use artifact::cube::CubeHeader;
 use artifact::paths::PathsFrame;
 use artifact::points::Object;
 use artifact::scene::{SceneFrame, SceneHeader};
@@ -34,6 +36,14 @@ impl FrameTruth {
         let truths = truths(&view, frame, paths);
         let pairing = Pairing::of(&truths, objects, &Reach::of(&view));
         Self { truths, pairing, origins: vec![], bodies: vec![] }
+    }
+
+    /// Ground truth of a frame by the labels of its bodies, which tell no velocities: objects are paired by
+    /// place alone. `cube` is the radar of the frame with its settings.
+    pub fn of_labels(cube: &CubeHeader, labels: &[LabelledBox], objects: &[Object]) -> Self {
+        let truths: Vec<Truth> = labels.iter().map(|label| label.truth(cube)).collect();
+        let pairing = Pairing::of(&truths, objects, &Reach::by_place(&cube.radar));
+        Self { truths, pairing, origins: vec![], bodies: labels.iter().map(|label| label.number).collect() }
     }
 
     /// The scene's number of a body of the frame.

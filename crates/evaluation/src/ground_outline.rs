@@ -20,6 +20,12 @@ impl GroundOutline {
         Self { low_m, high_m, ..Self::of_point(pose) }
     }
 
+    /// The outline of an upright box: its middle, its length and width, and the direction of its front from
+    /// world +x towards +y.
+    pub fn of_box(middle_m: DVec2, size_m: DVec2, yaw_rad: f64) -> Self {
+        Self { origin_m: middle_m, yaw_rad, low_m: -0.5 * size_m, high_m: 0.5 * size_m }
+    }
+
     /// The outline of a point.
     pub fn of_point(pose: &Pose) -> Self {
         let [x_m, y_m, _] = pose.position_m;

@@ -11,7 +11,7 @@
 //! - [`Pairing`]: the object of each body, within a gate of place and velocity;
 //! - [`Origin`]: the cause of a point (a body, the ground, noise), with the bounces and bodies of its path;
 //! - [`CellOrigins`]: the strongest echo in each cell of a range-Doppler map;
-//! - [`FrameTruth`]: all of these for one frame;
+//! - [`FrameTruth`]: all of these for one frame, from a scene or from a dataset's labels ([`LabelledBox`]);
 //! - [`Score`] over a run: GOSPA, OSPA, lanes, identities of tracks ([`Metrics`]).
 //!
 //! ```
@@ -33,6 +33,7 @@
 
 mod ground_outline; // the ground that a body covers
 mod truth; // ground truth of each body
+mod labelled_box; // bodies of a dataset
 mod metrics; // distances between sets of places
 mod pairing; // assignment of objects to bodies
 mod doppler_response; // response of map rows to a tone
@@ -40,10 +41,13 @@ mod labels; // origins of points
 mod cell_labels; // origins of map cells
 mod frame_truth; // ground truth of a frame
 mod score; // agreement over a run
+#[cfg(test)]
+mod test_object; // an object that tests share
 
 pub use cell_labels::{CellOrigins, cell_origins};
 pub use frame_truth::FrameTruth;
 pub use ground_outline::GroundOutline;
+pub use labelled_box::LabelledBox;
 pub use labels::{Group, Origin, origins};
 pub use metrics::gospa::{Gospa, gospa};
 pub use metrics::identities::Identities;

@@ -78,9 +78,20 @@ impl Reach {
     /// The reach of a scene's radar with its settings.
     pub fn of(header: &SceneHeader) -> Self {
         let (radar, removes) = (&header.radar, header.dsp.static_echoes == StaticEchoes::Remove);
+        // Half a Doppler cell, and as much again for the velocity error of a weak echo.
+        let removed_to_mps = removes.then(|| radar.velocity_resolution_mps());
+        Self { removed_to_mps, ..Self::of_radar(radar) }
+    }
+
+    /// The reach of a radar among bodies whose velocities are unknown: they are paired by place alone, and
+    /// none counts as removed.
+    pub(crate) fn by_place(radar: &Radar) -> Self {
+        Self { velocity_gate_mps: f64::INFINITY, ..Self::of_radar(radar) }
+    }
+
+    fn of_radar(radar: &Radar) -> Self {
         Self {
-            // Half a Doppler cell, and as much again for the velocity error of a weak echo.
-            removed_to_mps: removes.then(|| radar.velocity_resolution_mps()),
+            removed_to_mps: None,
             position_m: DVec3::from(radar.position_m),
             range_max_m: radar.waveform.range_max_m(),
             velocity_span_mps: 2.0 * radar.velocity_max_mps(),
@@ -201,7 +212,7 @@ pub fn place(object: &Object) -> DVec2 {
 mod tests {
     use super::*;
     use crate::ground_outline::GroundOutline;
-    use artifact::points::Height;
+    use crate::test_object::object_at;
     use artifact::scene::{Mesh, Pose, Role};
     use glam::DVec3;
 
@@ -227,24 +238,6 @@ mod tests {
             nearest_range_m: None,
             echo: None,
             sends_back: true,
-        }
-    }
-
-    fn object_at([x_m, y_m]: [f64; 2]) -> Object {
-        Object {
-            range_m: y_m,
-            radial_velocity_mps: 0.0,
-            velocity_resolved: false,
-            azimuth_rad: 0.0,
-            position_m: [x_m, y_m, 0.75],
-            lane: None,
-            snr_db: 20.0,
-            points: 1,
-            range_extent_m: [y_m; 2],
-            velocity_extent_mps: [0.0; 2],
-            ghost_share: None,
-            stationary: None,
-            height: Height::Assumed,
         }
     }
 

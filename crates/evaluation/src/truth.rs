@@ -82,7 +82,7 @@ fn truth(header: &SceneHeader, index: usize, pose: &Pose, paths: Option<&PathsFr
 }
 
 /// Whether the elements have any gain in the direction of an offset.
-fn is_seen(radar: &Radar, away_m: DVec3) -> bool {
+pub(crate) fn is_seen(radar: &Radar, away_m: DVec3) -> bool {
     pattern_amplitude(radar, &axes(radar), away_m.normalize_or_zero()) != 0.0
 }
 

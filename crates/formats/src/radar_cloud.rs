@@ -7,7 +7,7 @@ pub(crate) mod velodyne;
 pub(crate) mod pcd;
 pub mod import;
 
-pub(crate) use detection::Detection;
+pub(crate) use detection::{Detection, PLACE_LIMIT_M};
 
 /// Largest file of a cloud, bytes.
 pub(crate) const LIMIT_BYTES: u64 = 1 << 20;

@@ -1,5 +1,5 @@
 //! A run's frames as folders in the layouts of training datasets: tensors, maps, samples and clouds with the
-//! truth as boxes (docs/training-sets.md).
+//! truth as boxes; and the boxes of such sets, read (docs/training-sets.md).
 //!
 //! The ground truth comes only from the scene's snapshot and is used only for labels; arrays and clouds are
 //! those of the artifact.
@@ -19,3 +19,4 @@ pub mod uwcr;
 pub mod kitti;
 mod nuscenes_tables;
 pub mod nuscenes;
+pub mod labels; // boxes of others

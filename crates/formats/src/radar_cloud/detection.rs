@@ -68,7 +68,7 @@ impl Detection {
 }
 
 /// Largest distance of a detection from its radar, m.
-const PLACE_LIMIT_M: f64 = 100_000.0;
+pub(crate) const PLACE_LIMIT_M: f64 = 100_000.0;
 /// Largest radial speed of a detection, m/s.
 const SPEED_LIMIT_MPS: f64 = 3000.0;
 /// Largest magnitude of a detection's cross section, dBsm.

@@ -62,7 +62,7 @@ fn cloud(header: &PointsHeader, axes: &LevelledAxes, frame: &PointsFrame) -> Vec
 
 /// The camera's matrix, and the rotation from the radar's axes to the camera's: x right, y down, z ahead.
 /// Lines are identified by position, not by name.
-fn calibration() -> String {
+pub(super) fn calibration() -> String {
     let [width, height] = PICTURE_PX.map(|side| 0.5 * side);
     let camera = format!("{FOCAL_PX} 0 {width} 0 0 {FOCAL_PX} {height} 0 0 0 1 0");
     let cameras: String = (0..4).map(|number| format!("P{number}: {camera}\n")).collect();
@@ -71,7 +71,7 @@ fn calibration() -> String {
 }
 
 /// A line of labels; none for a body whose middle is behind the radar.
-fn label(axes: &LevelledAxes, body: &TruthBox) -> Option<String> {
+pub(super) fn label(axes: &LevelledAxes, body: &TruthBox) -> Option<String> {
     let foot = camera_axes(axes.of_world(body.foot_m));
     if foot.z <= NEAREST_M {
         return None;

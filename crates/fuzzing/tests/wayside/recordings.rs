@@ -1,9 +1,9 @@
-//! Recordings of devices and arrays: `.npy`, DCA1000, SigMF, with what stands beside them, and the
-//! configurations of boards.
+//! Recordings of devices and arrays: `.npy`, DCA1000, SigMF, with what stands beside them, the
+//! configurations of boards, and labels of datasets.
 
 use crate::commands::{note, noted, noted_of_content, put};
 use crate::sound;
-use fuzzing::{Noise, Reader, change_json, change_numbers, changed_text};
+use fuzzing::{Noise, Reader, change_json, change_json_like, change_numbers, changed_text};
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -19,6 +19,7 @@ pub(crate) fn readers() -> Vec<Reader> {
         Reader::refusing("mat", 200, write_mat, noted_of_content),
         Reader::refusing("radar-cloud", 200, write_cloud, noted_of_content),
         Reader::refusing("device-config", 200, write_config, noted_of_content),
+        Reader::refusing("set-labels", 100, write_labels, noted_of_content),
     ]
 }
 
@@ -285,6 +286,56 @@ fn write_config(noise: &mut Noise, folder: &Path) {
     sound::texts(folder);
     put(folder, "x.bin", &samples(noise, 4));
     note(folder, "import @x.bin --scene @sound/small.toml --config @x.cfg --out @O");
+}
+
+/// Folder of a set, its files that `score` reads, and what it is told to read.
+type LabelFiles = (&'static str, &'static [&'static str], &'static str);
+
+const LABEL_FILES: [LabelFiles; 2] = [
+    (
+        "kitti/training",
+        &["label_2/00000.txt", "label_2/00001.txt", "calib/00000.txt", "calib/00001.txt"],
+        "labels/label_2",
+    ),
+    (
+        "nuscenes/v1.0-wayside",
+        &[
+            "sample_data.json",
+            "ego_pose.json",
+            "calibrated_sensor.json",
+            "sample_annotation.json",
+            "instance.json",
+            "category.json",
+        ],
+        "labels",
+    ),
+];
+
+/// Labels of a run's points, one file of them changed.
+fn write_labels(noise: &mut Noise, folder: &Path) {
+    sound::labels(folder);
+    let (set, files, place) = one_of(noise, &LABEL_FILES);
+    let at_fault = noise.pick(files);
+    for name in files {
+        let whole = std::fs::read(folder.join("sound").join(set).join(name)).unwrap();
+        let bytes = if *name == at_fault { changed_labels(noise, &whole) } else { whole };
+        let file = folder.join("labels").join(name);
+        std::fs::create_dir_all(file.parent().unwrap()).unwrap();
+        std::fs::write(file, bytes).unwrap();
+    }
+    note(folder, &format!("score @sound/run/frames.points --labels @{place}"));
+}
+
+/// A table changed by its values, which leaves its syntax right, or any of the files by its words.
+fn changed_labels(noise: &mut Noise, whole: &[u8]) -> Vec<u8> {
+    let table: Option<Value> = serde_json::from_slice(whole).ok();
+    if let Some(mut table) = table.filter(|_| !noise.one_in(3)) {
+        change_json_like(noise, &mut table);
+        return serde_json::to_vec(&table).unwrap();
+    }
+    let words =
+        ["Car", "truck", "DontCare", "R0_rect:", "Tr_velo_to_cam:", "1e9", "0", "-1", "nan", "\n", "{"];
+    changed_text(noise, whole, &words)
 }
 
 /// Values at which descriptions of recordings stumble.

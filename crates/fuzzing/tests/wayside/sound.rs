@@ -77,6 +77,18 @@ pub(crate) fn of_run(folder: &Path, file: &str) -> PathBuf {
     })
 }
 
+/// Points of a run with their labels in the layouts of both sets, `kitti` and `nuscenes`.
+pub(crate) fn labels(folder: &Path) {
+    of_run(folder, "frames.points");
+    place(folder, "kitti", |at| exported(at, "kitti"));
+    place(folder, "nuscenes", |at| exported(at, "nuscenes"));
+}
+
+fn exported(folder: &Path, set: &str) {
+    let points = "@sound/run/frames.points --scene @sound/run/scene.scene";
+    made(folder, &format!("export {points} --to {set} --out @sound/{set}"));
+}
+
 /// The model that ships, with its first trees alone.
 pub(crate) fn trees(folder: &Path) -> PathBuf {
     place(folder, "trees.model", |at| {

@@ -466,9 +466,13 @@ pub struct ScoreArguments {
     pub(crate) points: PathBuf,
     /// Ground truth: the scene of these points (scene.scene of their run).
     #[arg(long, value_name = "F.scene")]
-    pub(crate) scene: PathBuf,
+    pub(crate) scene: Option<PathBuf>,
+    /// Ground truth in place of a scene: labels of a set, KITTI's or View-of-Delft's folder label_2 (calib
+    /// beside it) or the folder of nuScenes' tables. Bodies are paired by place alone.
+    #[arg(long, value_name = "DIR", conflicts_with = "scene")]
+    pub(crate) labels: Option<PathBuf>,
     /// Paths of the echoes; without them every body in range counts as detectable, even a hidden one.
-    #[arg(long, value_name = "F.paths")]
+    #[arg(long, value_name = "F.paths", conflicts_with = "labels")]
     pub(crate) paths: Option<PathBuf>,
     /// Tracks of the same frames [default: `dsp`'s tracker applied to the objects].
     #[arg(long, value_name = "F.tracks")]

@@ -13,5 +13,6 @@ mod outputs;
 mod raw_data;
 mod recordings;
 mod resumed_tables;
+mod set_labels;
 mod tensors;
 mod training_sets;

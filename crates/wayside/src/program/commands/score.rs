@@ -1,33 +1,47 @@
-//! `score`: agreement of any program's points and tracks with a scene, by the metrics of `summary.json`.
+//! `score`: agreement of any program's points and tracks with a scene or with labels of a dataset, by the
+//! metrics of `summary.json`.
 
 use crate::program::cli::ScoreArguments;
 use crate::program::terminal;
-use artifact::Reader;
 use artifact::paths::{GROUND, Paths, PathsFrame};
 use artifact::points::{Points, PointsFrame};
 use artifact::scene::{Scene, SceneFrame, SceneHeader};
 use artifact::tracks::{Tracks, TracksFrame};
+use artifact::{Provenance, Radar, Reader};
 use dsp::{ROAD_TRAFFIC, Tracker};
 use evaluation::{FrameTruth, Score};
+use formats::training_sets::labels::SetLabels;
 use pipeline::host::failure::Failure;
 use pipeline::host::frame_matching::{Beside, ROUNDED_TIME_S, SAME_TIME_S, check_begin, check_poses};
 use pipeline::host::progress;
 use pipeline::host::provenance_checks;
+use serde_json::Value;
 use std::path::{Path, PathBuf};
 
 pub(crate) fn run(arguments: &ScoreArguments) -> Result<(), Failure> {
+    let told = match (&arguments.scene, &arguments.labels) {
+        (Some(scene), _) => by_scene(arguments, scene)?,
+        (None, Some(labels)) => by_labels(arguments, labels)?,
+        (None, None) => {
+            let points = arguments.points.display();
+            let rule = "--scene or --labels has to give the truth";
+            return Err(Failure::System(format!("{points}: {rule}")));
+        }
+    };
+    terminal::lines(&told);
+    Ok(())
+}
+
+fn by_scene(arguments: &ScoreArguments, file: &Path) -> Result<String, Failure> {
     let points = Reader::<Points>::open(&arguments.points)?;
-    let mut scene = Beside::<Scene>::open(&arguments.scene, |frame| frame.index)?;
-    let is_same = provenance_checks::same_scene(
-        &arguments.scene,
-        scene.provenance(),
-        ("frames", &points.preamble().provenance),
-    )?;
+    let mut scene = Beside::<Scene>::open(file, |frame| frame.index)?;
+    let from = &points.preamble().provenance;
+    let is_same = provenance_checks::same_scene(file, scene.provenance(), ("frames", from))?;
     let header = scene.header().clone();
-    provenance_checks::has_bodies(&arguments.scene, &header, &points.header().targets)?;
+    provenance_checks::has_bodies(file, &header, &points.header().targets)?;
     let radar = points.header().cube.as_ref().map(|cube| &cube.radar);
     provenance_checks::same_radar(&arguments.points, &header.radar, radar)?;
-    let mut tracks = Followed::of(arguments, &points, &scene)?;
+    let mut tracks = Followed::of(arguments, &points, &header.radar, Some((file, scene.provenance())))?;
     let mut paths = arguments.paths.as_deref().map(|file| paths_of(file, &header)).transpose()?;
     let within_s = if is_same { SAME_TIME_S } else { ROUNDED_TIME_S };
     let mut score = Score::default();
@@ -40,12 +54,34 @@ pub(crate) fn run(arguments: &ScoreArguments) -> Result<(), Failure> {
         let paths = paths.as_mut().map(|paths| paths.frame(&poses)).transpose()?;
         let paths = paths.map(|paths| counted_in_view(&bodies, paths));
         let view = scene::frame_view(&header, frame.index);
-        check_poses(&arguments.scene, &view, &poses)?;
+        check_poses(file, &view, &poses)?;
         let truth = FrameTruth::of(&view, &poses, paths.as_ref(), &frame.objects);
         score.add(&FrameTruth { bodies, ..truth }, &frame.objects, &tracks);
     }
-    terminal::lines(&serde_json::to_string_pretty(&score.metrics()).map_err(Failure::refused)?);
-    Ok(())
+    serde_json::to_string_pretty(&score.metrics()).map_err(Failure::refused)
+}
+
+/// Score of the frames that have labels. Where these do not tell bodies apart there are no identities.
+fn by_labels(arguments: &ScoreArguments, place: &Path) -> Result<String, Failure> {
+    let labels = SetLabels::of_points(place, &arguments.points)?;
+    let points = Reader::<Points>::open(&arguments.points)?;
+    let mut tracks = Followed::of(arguments, &points, labels.radar(), None)?;
+    let mut score = Score::default();
+    for frame in progress::frames(points) {
+        let frame = frame?;
+        // Labels tell no times: the points' own count.
+        let begin = SceneFrame { index: frame.index, time_s: frame.time_s, poses: vec![] };
+        let tracks = tracks.frame(&frame, &begin)?;
+        if let Some(truth) = labels.truth(&frame) {
+            score.add(&truth, &frame.objects, &tracks);
+        }
+    }
+    if labels.tells_bodies() {
+        return serde_json::to_string_pretty(&score.metrics()).map_err(Failure::refused);
+    }
+    let mut told = serde_json::to_value(score.metrics()).map_err(Failure::refused)?;
+    told["identities"] = Value::Null;
+    serde_json::to_string_pretty(&told).map_err(Failure::refused)
 }
 
 /// Paths of a scene, refused if they belong to another scene's bodies.
@@ -79,22 +115,21 @@ enum Followed {
 }
 
 impl Followed {
-    /// Tracks of a file, refused if they belong to another scene or radar, or those made with the points' own
-    /// radar and settings.
+    /// Tracks of a file, refused if they belong to another radar, or to another scene where one is given, or
+    /// those made with the points' own radar and settings.
     fn of(
         arguments: &ScoreArguments,
         points: &Reader<Points>,
-        scene: &Beside<Scene>,
+        radar: &Radar,
+        scene: Option<(&Path, &Provenance)>,
     ) -> Result<Self, Failure> {
         if let Some(file) = &arguments.tracks {
             let tracks = Beside::<Tracks>::open(file, |frame| frame.index)?;
-            provenance_checks::same_scene(
-                &arguments.scene,
-                scene.provenance(),
-                ("tracks", tracks.provenance()),
-            )?;
-            let radar = tracks.header().cube.as_ref().map(|cube| &cube.radar);
-            provenance_checks::same_radar(file, &scene.header().radar, radar)?;
+            if let Some((scene, from)) = scene {
+                provenance_checks::same_scene(scene, from, ("tracks", tracks.provenance()))?;
+            }
+            let seen_by = tracks.header().cube.as_ref().map(|cube| &cube.radar);
+            provenance_checks::same_radar(file, radar, seen_by)?;
             return Ok(Self::Given(file.clone(), Box::new(tracks)));
         }
         let Some(cube) = &points.header().cube else {
