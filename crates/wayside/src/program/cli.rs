@@ -14,6 +14,7 @@ use crate::program::values::{
     range,
 };
 use crate::program::values::{full_scale, scale, shard, step};
+use crate::stepwise::DENSITY_PER_WAVELENGTH;
 use crate::stepwise::table_words::{EDGES, NODES, POLARIZATIONS, SIDES, SURFACES, TRANSMISSION};
 use artifact::material::Transmission;
 use artifact::radar::Polarization;
