@@ -21,7 +21,7 @@ impl SensorAxes {
         Self {
             place_m: radar.position_m.into(),
             axes: radar::aperture::axes(radar),
-            yaw_rad: FRAC_PI_2 - radar.boresight_az_rad,
+            yaw_rad: radar::aperture::boresight_yaw_rad(radar),
             pitch_rad: -radar.boresight_el_rad,
         }
     }
