@@ -9,6 +9,7 @@ use crate::cli::BenchArguments;
 use artifact::units::db_from_amplitude;
 pub(crate) use cases::{CHARTED, QUICK, all as comparisons};
 pub(crate) use comparison::Comparison;
+pub(crate) use predictions::{PredictedCost, RATIOS, Spread, cost_of_random};
 use programs::NotHere;
 use serde_json::{Value, json};
 use wayside::host::failure::Failure;

@@ -68,7 +68,7 @@ impl Command {
 }
 
 /// Arguments of `study`.
-#[derive(Debug, Args)]
+#[derive(Debug, Default, Args)]
 pub(crate) struct PageArguments {
     /// Name of the study [default: lists all].
     #[arg(value_name = "NAME")]
@@ -79,10 +79,11 @@ pub(crate) struct PageArguments {
     /// File of the page instead of docs/; for `chart`, `atlas` and `levels` a folder.
     #[arg(long, value_name = "F", requires = "name")]
     pub(crate) out: Option<PathBuf>,
-    /// Makes every Nth row from the Kth on, keeps it in out/, and writes no page (`planner`).
+    /// Makes every Nth row from the Kth on, keeps it in out/, and writes no page (`planner`, `predictions`).
     #[arg(long, value_name = "K/N", value_parser = shard, requires = "name", conflicts_with = "out")]
     pub(crate) shard: Option<Shard>,
-    /// Makes no row; the page has those kept in out/, and the number of missing ones (`planner`).
+    /// Makes no row; the page has those kept in out/, and the number of missing ones (`planner`,
+    /// `predictions`).
     #[arg(long, requires = "name", conflicts_with_all = ["quick", "shard"])]
     pub(crate) kept: bool,
     /// Processor minutes of `search` [default: 2].

@@ -1,5 +1,5 @@
-//! `fuzz-ledger`: adds the results of fuzz runs in `fixtures/fuzz.csv`, and tabulates them in
-//! `docs/validation/fuzz.md`.
+//! `fuzz-ledger`: adds the results of fuzz runs to `fixtures/fuzz.csv`, and tabulates all of them for the
+//! study `fuzz`.
 
 use crate::cli::FuzzLedgerArguments;
 use crate::project::{project_root, read_text};
@@ -10,27 +10,28 @@ use wayside::host::files;
 use wayside::host::safe_text::markdown_table;
 
 const LEDGER: &str = "fixtures/fuzz.csv";
-const PAGE: &str = "docs/validation/fuzz.md";
 const COLUMNS: &str = "reader,seed,cases,read,refused,minutes,peak_mib";
-const BEGIN: &str = "<!-- made by cargo xtask fuzz-ledger from fixtures/fuzz.csv -->";
-const END: &str = "<!-- end of what cargo xtask fuzz-ledger makes -->";
 /// Processor minutes planned for each reader.
 const GOAL_MINUTES: f64 = 60.0;
 
-/// Adds logs to the ledger and renews the table of the page.
+/// Adds logs to the ledger.
 pub(crate) fn run(arguments: &FuzzLedgerArguments) -> Result<(), Failure> {
-    let (ledger, page) = (project_root().join(LEDGER), project_root().join(PAGE));
+    let ledger = project_root().join(LEDGER);
     let mut text = read_own(&ledger)?;
     for log in &arguments.logs {
         let added = read_text(log)?;
         sums(log, &format!("{COLUMNS}\n{added}"))?;
         text += &added;
     }
-    let all = sums(&ledger, &text)?;
-    let made =
-        with_table(&read_own(&page)?, &all).ok_or_else(|| refused(&page, "has no place for the table"))?;
-    files::write_file(&ledger, text.as_bytes())?;
-    files::write_file(&page, made.as_bytes())
+    sums(&ledger, &text)?;
+    files::write_file(&ledger, text.as_bytes())
+}
+
+/// The table of all runs, with a sentence about it.
+pub(crate) fn table() -> Result<String, Failure> {
+    let ledger = project_root().join(LEDGER);
+    let all = sums(&ledger, &read_own(&ledger)?)?;
+    Ok(table_of(&all))
 }
 
 /// Reads a file of the project that is rewritten, so that it does not count as an input.
@@ -102,14 +103,7 @@ impl Sum {
     }
 }
 
-/// The page with its table renewed; `None` if it has no place for it.
-fn with_table(page: &str, all: &BTreeMap<String, Sum>) -> Option<String> {
-    let (before, rest) = page.split_once(BEGIN)?;
-    let (_, behind) = rest.split_once(END)?;
-    Some(format!("{before}{BEGIN}\n\n{}\n{END}{behind}", table(all)))
-}
-
-fn table(all: &BTreeMap<String, Sum>) -> String {
+fn table_of(all: &BTreeMap<String, Sum>) -> String {
     let mut whole = Sum::default();
     all.values().for_each(|sum| whole.add(Sum { seeds: vec![], ..sum.clone() }));
     let least = all.values().map(|sum| sum.minutes).fold(f64::INFINITY, f64::min);
@@ -153,13 +147,5 @@ mod tests {
             assert!(told.contains(rule), "{told}");
         }
         assert!(sums(log, "fcd,2,10,4,6,1.5,30\n").is_err(), "the head is missing");
-    }
-
-    #[test]
-    fn the_table_of_the_page_is_that_of_the_ledger() {
-        let page = read_own(&project_root().join(PAGE)).unwrap();
-        let ledger = project_root().join(LEDGER);
-        let all = sums(&ledger, &read_own(&ledger).unwrap()).unwrap();
-        assert!(with_table(&page, &all).unwrap() == page, "cargo xtask fuzz-ledger makes it anew");
     }
 }

@@ -3,6 +3,7 @@
 
 mod cli;
 mod project;
+mod processes;
 mod random_scenes;
 mod house;
 mod bytes;
@@ -13,7 +14,7 @@ mod study;
 mod bench;
 mod ci;
 
-use cli::Command;
+use cli::{Command, PageArguments};
 use std::process::ExitCode;
 use wayside::Failure;
 use wayside::program::commands::dispatch;
@@ -41,7 +42,10 @@ fn carry_out(command: Command, means: &Means) -> Result<(), Failure> {
         Command::Bytes(arguments) => bytes::run(&arguments),
         Command::House => house::run(),
         Command::SceneKeys => scene_keys::run(),
-        Command::FuzzLedger(arguments) => fuzz_ledger::run(&arguments),
+        Command::FuzzLedger(arguments) => {
+            fuzz_ledger::run(&arguments)?;
+            study::run(&PageArguments { name: Some("fuzz".into()), ..PageArguments::default() })
+        }
         Command::Dist(arguments) => dist::run(&arguments),
         Command::Ci(arguments) => ci::run(&arguments),
     }

@@ -1,5 +1,6 @@
 //! `bench --predictions`: predicted and actual cost of runs over random scenes.
 
+mod cost;
 mod row;
 mod child;
 mod fit;
@@ -10,6 +11,7 @@ mod timed_scene;
 use crate::cli::BenchArguments;
 use crate::project::project_root;
 use child::Taken;
+pub(crate) use cost::{PredictedCost, RATIOS, Spread};
 use fit::CountedRun;
 use row::PredictionRow;
 use std::path::Path;
@@ -38,14 +40,7 @@ pub(super) fn run(arguments: &BenchArguments) -> Result<(), Failure> {
     let mut rows = Vec::new();
     for scene in old.into_iter().chain(new) {
         let known = known.get(&scene.name);
-        let row = match row(scene, folder.path(), known) {
-            Err(refused @ (Failure::Refused(_) | Failure::Unplaced(_))) => {
-                terminal::line(format!("not run: {refused}"));
-                continue;
-            }
-            row => row?,
-        };
-        let Some(row) = row else { continue };
+        let Some(row) = row_unless_refused(scene, folder.path(), known)? else { continue };
         terminal::line(line(&row));
         terminal::call_off().check()?;
         rows.push(row);
@@ -79,6 +74,15 @@ fn tell_fitted(timed: &[CountedRun<ITEMS>], held: &[CountedRun<HELD_KINDS>]) {
     }
 }
 
+/// Predicted and actual cost of a random scene; `None` if it is refused, or the system does not report the
+/// costs of a process.
+pub(crate) fn cost_of_random(seed: u64, number: u64) -> Result<Option<PredictedCost>, Failure> {
+    let folder = tempfile::tempdir().map_err(|e| Failure::System(format!("no temporary folder: {e}")))?;
+    let scene = random_scenes::scene(seed, number, &project_root());
+    let row = row_unless_refused(scene, folder.path(), None)?;
+    Ok(row.map(|row| row.cost()))
+}
+
 /// Weight of a named scene in fitting rates: such scenes are what people run.
 const NAMED: usize = 6;
 
@@ -94,6 +98,16 @@ impl PredictionRow {
         vec![CountedRun { counts: self.expected.held, taken: self.taken.peak_mib }; self.times()]
     }
 
+    fn cost(&self) -> PredictedCost {
+        PredictedCost {
+            said_s: self.expected.seconds,
+            taken_s: self.taken.processor_s,
+            said_mib: self.expected.expected_memory_mib,
+            most_mib: self.expected.memory_mib,
+            held_mib: self.taken.peak_mib,
+        }
+    }
+
     fn times(&self) -> usize {
         if matches!(self.scene.text, Text::File(_)) { NAMED } else { 1 }
     }
@@ -101,27 +115,31 @@ impl PredictionRow {
 
 /// Quantiles of the ratio of expected to actual seconds and memory.
 fn quantiles(rows: &[PredictionRow]) -> Vec<String> {
-    let told = |name: &str, ratio: &dyn Fn(&PredictionRow) -> f64| {
-        let mut ratios: Vec<f64> = rows.iter().map(ratio).collect();
-        ratios.sort_by(f64::total_cmp);
-        let at =
-            |share: f64| ratios.get((share * (ratios.len().max(1) - 1) as f64).round() as usize).copied();
-        let at = [0.0, 0.05, 0.25, 0.5, 0.75, 0.95, 1.0].map(|share| at(share).unwrap_or(f64::NAN));
-        let within = ratios.iter().filter(|ratio| (0.5..=2.0).contains(*ratio)).count();
-        let below = ratios.iter().filter(|ratio| **ratio < 1.0).count();
-        let told: Vec<String> = at.iter().map(|ratio| format!("{ratio:.2}")).collect();
-        let of = ratios.len();
+    let costs: Vec<PredictedCost> = rows.iter().map(PredictionRow::cost).collect();
+    let told = |(name, ratio): (&str, cost::Ratio)| {
+        let Spread { runs, quantiles, within, below } = Spread::of(&costs, ratio);
+        let told = quantiles.map(|ratio| format!("{ratio:.2}")).join(" ");
         format!(
-            "{name}, said over taken: quantiles 0, 5, 25, 50, 75, 95, 100 %: {}; {within} of {of} within a factor of 2, \
-             {below} below 1",
-            told.join(" ")
+            "{name}, said over taken: quantiles 0, 5, 25, 50, 75, 95, 100 %: {told}; {within} of {runs} \
+             within a factor of 2, {below} below 1"
         )
     };
-    vec![
-        told("seconds", &|row| row.expected.seconds / row.taken.processor_s),
-        told("memory", &|row| row.expected.expected_memory_mib / row.taken.peak_mib),
-        told("memory at most", &|row| row.expected.memory_mib / row.taken.peak_mib),
-    ]
+    RATIOS.map(told).into()
+}
+
+/// Row of a scene, unless the program refuses it, which is told.
+fn row_unless_refused(
+    scene: TimedScene,
+    folder: &Path,
+    known: Option<&Taken>,
+) -> Result<Option<PredictionRow>, Failure> {
+    match row(scene, folder, known) {
+        Err(refused @ (Failure::Refused(_) | Failure::Unplaced(_))) => {
+            terminal::line(format!("not run: {refused}"));
+            Ok(None)
+        }
+        row => row,
+    }
 }
 
 fn row(scene: TimedScene, folder: &Path, known: Option<&Taken>) -> Result<Option<PredictionRow>, Failure> {

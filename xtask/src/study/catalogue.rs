@@ -9,10 +9,13 @@ use crate::study::pages::scattering::{
     continuity, estimates_of_errors, gates, published_levels, references, wheels,
 };
 use crate::study::pages::signals::{
-    ambiguity, calibration, estimates, false_alarms, ghosts, super_resolution, traced_ghosts,
+    ambiguity, calibration, estimates, false_alarms, ghosts, rivals, super_resolution, traced_ghosts,
     transmitters_in_turn,
 };
-use crate::study::pages::{Part, deployment, force, planner, real_captures, same_bytes, sensitivity};
+use crate::study::pages::whole_runs::{
+    classifier, detection, predictions, table_2, tracking, traffic, vehicles,
+};
+use crate::study::pages::{Part, deployment, force, fuzz, planner, real_captures, same_bytes, sensitivity};
 use crate::study::search;
 use crate::study::sources::{self, Places};
 use wayside::host::failure::Failure;
@@ -45,7 +48,7 @@ enum Make {
 }
 
 /// Studies in the order of `docs/validation/README.md`, then those with pictures.
-pub(crate) const STUDIES: [Study; 31] = [
+pub(crate) const STUDIES: [Study; 42] = [
     part("reference-gates", "docs/validation/reference-gates.md", "2 minutes", gates::SOURCES, gates::part),
     part("bart-against-references", REFERENCES, "6 minutes", references::SOURCES, references::own_car),
     part("real-car", REFERENCES, "an hour", references::SOURCES, references::real_car),
@@ -73,7 +76,7 @@ pub(crate) const STUDIES: [Study; 31] = [
     part(
         "sensitivity",
         "docs/validation/sensitivity.md",
-        "half an hour",
+        "15 minutes",
         sensitivity::SOURCES,
         sensitivity::part,
     ),
@@ -84,9 +87,25 @@ pub(crate) const STUDIES: [Study; 31] = [
         sources: planner::SOURCES,
         make: Make::Rows { all: planner::part, kept: planner::part_of_kept, share: planner::rows },
     },
+    part("table-2", "docs/validation/table-2.md", "10 seconds", table_2::SOURCES, table_2::part),
+    part("detection", "docs/validation/detection.md", "5 minutes", detection::SOURCES, detection::part),
+    part("tracking", "docs/validation/tracking.md", "15 minutes", tracking::SOURCES, tracking::part),
     part("false-alarms", ALARMS, "half an hour", false_alarms::SOURCES, false_alarms::of_complex_samples),
     part("false-alarms-real", ALARMS, "half an hour", false_alarms::SOURCES, false_alarms::of_real_samples),
     part("false-alarms-bands", ALARMS, "a minute", false_alarms::SOURCES, false_alarms::of_narrow_bands),
+    part("false-alarms-rivals", ALARMS, "a minute", rivals::SOURCES, rivals::alarms),
+    Study {
+        name: "predictions",
+        page: "docs/validation/predictions.md",
+        takes: "an hour",
+        sources: predictions::SOURCES,
+        make: Make::Rows {
+            all: predictions::part,
+            kept: predictions::part_of_kept,
+            share: predictions::rows,
+        },
+    },
+    part("rivals", "docs/validation/rivals.md", "a minute", rivals::SOURCES, rivals::part),
     part("estimates", "docs/validation/estimates.md", "10 minutes", estimates::SOURCES, estimates::part),
     part(
         "calibration",
@@ -127,7 +146,12 @@ pub(crate) const STUDIES: [Study; 31] = [
         real_captures::part,
     ),
     part("deployment", "docs/validation/deployment.md", "15 minutes", deployment::SOURCES, deployment::part),
+    part("traffic", "docs/validation/traffic.md", "10 minutes", traffic::SOURCES, traffic::part),
+    part("vehicles", "docs/validation/vehicles.md", "2 minutes", vehicles::SOURCES, vehicles::part),
+    part("fuzz", "docs/validation/fuzz.md", "a second", fuzz::SOURCES, fuzz::part),
     part("force", "docs/validation/force.md", "5 minutes", force::SOURCES, force::part),
+    part("classifier", NETWORK, "a second", classifier::SOURCES, classifier::part),
+    part("classifier-scenes", NETWORK, "a minute", classifier::SOURCES_OF_SCENES, classifier::part_of_scenes),
     whole("chart", "docs/chart.md", "half an hour", CHART, whole_chart),
     whole("atlas", "docs/atlas.md", "10 minutes", ATLAS, whole_atlas),
     Study { name: "search", page: SEARCH, takes: "as asked", sources: search::SOURCES, make: Make::Ledger },
@@ -140,6 +164,7 @@ const ERRORS: &str = "docs/validation/error-estimates.md";
 const ALARMS: &str = "docs/validation/false-alarms.md";
 pub(super) const SEARCH: &str = "docs/validation/random-search.md";
 const IN_TURN: &str = "docs/validation/transmitters-in-turn.md";
+const NETWORK: &str = "docs/validation/classifier.md";
 
 type MakeRows = fn(Extent, Shard) -> Result<(), Failure>;
 type MakePart = fn(Extent) -> Result<Part, Failure>;
@@ -165,11 +190,12 @@ const fn whole(
     Study { name, page, takes, sources, make: Make::Whole(make) }
 }
 
-/// The atlas with all its cases.
+/// The chart with all its parts.
 fn whole_chart(of_all: &StudyArguments) -> Result<(), Failure> {
     drawn::chart(&ChartArguments { of_all: of_all.clone(), against: None, only: None })
 }
 
+/// The atlas with all its cases.
 fn whole_atlas(of_all: &StudyArguments) -> Result<(), Failure> {
     drawn::atlas(&AtlasArguments { of_all: of_all.clone(), only: None })
 }
@@ -185,8 +211,9 @@ pub(crate) fn run(arguments: &PageArguments) -> Result<(), Failure> {
     let unknown =
         || Failure::Refused(format!("there is no study `{name}`; `cargo xtask study` tells of all"));
     let study = by_name(name).ok_or_else(unknown)?;
-    let keeps_none =
-        |word: &str| Err(Failure::Refused(format!("{word}: `{name}` keeps no rows; `planner` does")));
+    let keeps_none = |word: &str| {
+        Err(Failure::Refused(format!("{word}: `{name}` keeps no rows; `planner` and `predictions` do")))
+    };
     match (&study.make, arguments.shard) {
         (Make::Rows { share, .. }, Some(shard)) => share(extent(arguments), shard),
         (Make::Rows { kept, .. }, None) if arguments.kept => study.make_part(*kept, arguments),

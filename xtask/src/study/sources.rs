@@ -21,6 +21,10 @@ pub(super) const SCATTERING: &[&str] = &["crates/scene", "crates/bart-rcs", "cra
 /// The stages from a scene to points.
 pub(super) const CHAIN: &[&str] = &["crates/scene", "crates/bart-rcs", "crates/fmcw-echo", "crates/dsp"];
 
+/// Whole runs beside the stages: the linked chain, truth and what a summary tells.
+pub(super) const RUN: &[&str] =
+    &["crates/evaluation", "crates/pipeline/src/chain", "crates/pipeline/src/outcome"];
+
 /// Eight digits of the hash of these places and of the leaves.
 pub(super) fn hash(places: Places) -> Result<String, Failure> {
     let root = project_root();
@@ -29,9 +33,13 @@ pub(super) fn hash(places: Places) -> Result<String, Failure> {
     Ok(hash.to_hex()[..8].to_owned())
 }
 
-/// A source without what changes no figure: lines of comments, blank lines, and the tests at its end.
+/// A source without what changes no figure: lines of comments, blank lines, and the tests at its end; of a
+/// file that is no text, all bytes.
 fn code_of(source: Vec<u8>) -> Vec<u8> {
-    let Ok(text) = String::from_utf8(source) else { return vec![] };
+    let text = match String::from_utf8(source) {
+        Ok(text) => text,
+        Err(no_text) => return no_text.into_bytes(),
+    };
     let code = text.split("#[cfg(test)]\nmod tests {").next().unwrap_or_default();
     let counts = |line: &&str| !line.is_empty() && !line.starts_with("//");
     code.lines().map(str::trim).filter(counts).flat_map(|line| [line, "\n"]).collect::<String>().into_bytes()
@@ -57,5 +65,6 @@ mod tests {
         let of = |text: &str| code_of(text.as_bytes().to_vec());
         assert_eq!(of(code), of(&more));
         assert_ne!(of(code), of("fn f() {\n    h(); // of a\n}\n"));
+        assert_ne!(code_of(vec![0xff, 1]), code_of(vec![0xff, 2]), "a recording or a model");
     }
 }

@@ -3,7 +3,7 @@
 use crate::crops::classify::softmax;
 use crate::crops::network::Logits;
 use crate::crops::samples::Example;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// Bins of the reliability diagram over the answer's probability, which is at least ¼.
@@ -12,7 +12,7 @@ const BINS: usize = 10;
 const QUANTILE_95: f64 = 1.959_964;
 
 /// Metrics of the answers to a set of labelled crops.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Evaluation {
     /// Number of labelled crops.
     pub samples: u64,
@@ -33,7 +33,7 @@ pub struct Evaluation {
 }
 
 /// Reliability of the probability given to the likeliest class.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Calibration {
     /// Mean of |accuracy − confidence| over the bins, weighted by their counts (Naeini, Cooper & Hauskrecht
     /// 2015).
@@ -43,7 +43,7 @@ pub struct Calibration {
 }
 
 /// One bin of a reliability diagram.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ReliabilityBin {
     /// Range of probabilities in the bin.
     pub probability: [f64; 2],
@@ -56,7 +56,7 @@ pub struct ReliabilityBin {
 }
 
 /// Answers on the crops of one vehicle model.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct ModelAccuracy {
     /// Number of crops.
     pub samples: u64,

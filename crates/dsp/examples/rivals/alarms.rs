@@ -17,16 +17,16 @@ pub(crate) fn print_table() {
         for rate in [1e-2, 1e-3] {
             let [ours, theirs, cells] = counted(window, rate);
             for zone in 0..3 {
-                let of = |alarms: &[f64; 3]| alarms[zone] / cells[zone] / rate;
-                println!(
-                    "| {window:?} | {rate:.0e} | {} | {:.3} | {:.3} |",
-                    ZONES[zone],
-                    of(&ours),
-                    of(&theirs)
-                );
+                let of = |alarms: &[f64; 3]| told(alarms[zone] / cells[zone] / rate);
+                println!("| {window:?} | {rate:.0e} | {} | {} | {} |", ZONES[zone], of(&ours), of(&theirs));
             }
         }
     }
+}
+
+/// Text of a rate over that asked for; a zone of thousands of cells without any alarm was not tested.
+fn told(rate: f64) -> String {
+    if rate > 0.0 { format!("{rate:.3}") } else { "untested".to_owned() }
 }
 
 /// Alarms of ours, of mmwcore, and cells, by zone.

@@ -1,11 +1,11 @@
 //! One run of the program as a separate process, so that its processor time and peak size are its own.
 
+use crate::processes::{ProcessCosts, costs_of};
 use crate::project::this_program;
 use artifact::Reader;
 use artifact::paths::{Paths, PathsFrame};
 use std::path::Path;
-use std::process::{Child, Command, Stdio};
-use std::time::Duration;
+use std::process::Command;
 use wayside::chain::expectation::machine_speed;
 use wayside::host::failure::Failure;
 use wayside::outcome::summary::{Stage, Summary};
@@ -31,26 +31,15 @@ pub(super) struct Taken {
 /// Runs `run` on a scene without a cache; `None` if the system does not report the costs of a process.
 pub(super) fn run(scene: &Path, out: &Path, threads: Option<u16>) -> Result<Option<Taken>, Failure> {
     let machine_speed = machine_speed::measured()?;
-    let program = this_program()?;
-    let mut command = Command::new(program);
+    let mut command = Command::new(this_program()?);
     command.arg("run").arg(scene).arg("--out").arg(out).args(["--no-cache", "--quiet"]);
     command.args(threads.iter().flat_map(|n| ["--threads".to_owned(), n.to_string()]));
-    let before = of_children();
-    let system = |e: std::io::Error| Failure::System(format!("{}: cannot be run: {e}", scene.display()));
     let _ = std::fs::remove_dir_all(out);
-    let mut child = command.stdout(Stdio::null()).spawn().map_err(system)?;
-    let peak_mib = watch(&mut child).map_err(system)?;
-    let status = child.wait().map_err(system)?;
-    if !status.success() {
-        return Err(Failure::refused(format!("{}: {status}", scene.display())));
-    }
-    let Some(((before_s, after_s), peak_mib)) = before.zip(of_children()).zip(peak_mib) else {
-        return Ok(None);
-    };
-    Ok(Some(Taken { machine_speed, ..told(out, after_s - before_s, peak_mib)? }))
+    let Some(costs) = costs_of(&mut command, scene.display())? else { return Ok(None) };
+    Ok(Some(Taken { machine_speed, ..told(out, costs)? }))
 }
 
-fn told(out: &Path, processor_s: f64, peak_mib: f64) -> Result<Taken, Failure> {
+fn told(out: &Path, ProcessCosts { processor_s, peak_mib }: ProcessCosts) -> Result<Taken, Failure> {
     let summary = Summary::read(&out.join("summary.json"))?;
     let seconds = |stage| summary.frames.iter().filter_map(|frame| frame.stage_seconds.get(&stage)).sum();
     let stages_s = [Stage::BartRcs, Stage::FmcwEcho, Stage::Dsp].map(seconds);
@@ -82,19 +71,4 @@ impl Taken {
         self.moments = self.moments.max(f64::from(moments));
         self.traced_mib = self.traced_mib.max(wayside::host::memory::mib(frame.trace.bytes));
     }
-}
-
-/// Peak size seen until the process ends: the system keeps the maximum, so only growth in the last hundredth
-/// of a second may be missed.
-fn watch(child: &mut Child) -> std::io::Result<Option<f64>> {
-    let mut peak_mib = None;
-    while child.try_wait()?.is_none() {
-        peak_mib = wayside::host::memory::peak_mib_of(&child.id().to_string()).or(peak_mib);
-        std::thread::sleep(Duration::from_millis(10));
-    }
-    Ok(peak_mib)
-}
-
-fn of_children() -> Option<f64> {
-    wayside::host::processor_time::of_ended_children()
 }

@@ -132,7 +132,7 @@ pub(in crate::study) fn page(chart: &Chart, extent: Extent) -> String {
 fn references(chart: &Chart) -> String {
     let mut lines: Vec<String> = vec![];
     for row in chart.rows.iter().filter(|row| row.stage == "bart-rcs + fmcw-echo") {
-        let line = format!("- {}: {}", row.scene, row.reference);
+        let line = format!("- {}:\n  {}", row.scene, row.reference);
         if !lines.contains(&line) {
             lines.push(line);
         }

@@ -48,13 +48,17 @@ pub(in crate::study) fn page(rows: &[LevelRow], extent: Extent) -> String {
     ];
     format!(
         "# Levels of detail\n\n\
-         Made by `{command}`. How they are made and chosen: [decision](../decisions/levels-of-detail.md). The error of a level is that \
-         of its whole cube (all channels, chirps and samples) against the cube of all paths of the same frame; \"told\" is \
-         what the run measures at 12 looks of 16 instants, with its margin of 1.8 dB. A level by name may err by 0.3 of the accuracy asked, \
-         or by what the other errors leave of it if that is more; statistical points are another field of the same level, so that their \
-         complex error is near +3 dB whatever is asked. {} Scenes that say nothing keep all paths. Cars and buses at 40 m are traced down to \
-         −30 dB, the others to −20 dB: beyond, that table is what is reduced, and no other errors are counted. Seconds are those of the \
-         processor, all threads; the radar has 3 × 4 elements, 128 chirps of 256 samples where nothing else is said.\n\n\
+         Made by `{command}`. How they are made and chosen:\n\
+         [decision](../decisions/levels-of-detail.md). The error of a level is that of its whole cube\n\
+         (all channels, chirps and samples) against the cube of all paths of the same frame; \"told\" is\n\
+         what the run measures at 12 looks of 16 instants, with its margin of 1.8 dB. A level by name may\n\
+         err by 0.3 of the accuracy asked, or by what the other errors leave of it if that is more;\n\
+         statistical points are another field of the same level, so that their complex error\n\
+         is near +3 dB whatever is asked.\n{}\n\
+         Scenes that say nothing keep all paths. Cars and buses at 40 m are traced down to −30 dB, the\n\
+         others to −20 dB: beyond, that table is what is reduced, and no other errors are counted. Seconds\n\
+         are those of the processor, all threads; the radar has 3 × 4 elements, 128 chirps of 256 samples\n\
+         where nothing else is said.\n\n\
          ![processor seconds of reducing and echo against accuracy](../pictures/levels-of-detail.svg)\n\n{}",
         told_against_true(rows),
         table::markdown(&header, rows.iter().map(fields))
@@ -70,8 +74,8 @@ fn told_against_true(rows: &[LevelRow]) -> String {
     match above_db[..] {
         [] => String::new(),
         [least, ..] => format!(
-            "In {held} of {} tables the error told is not below that of the cube; told over true is {least:.1} to {:.1} dB, \
-             the median {:.1} dB.",
+            "In {held} of {} tables the error told is not below that of the cube; told over true is {least:.1} to\n\
+             {:.1} dB, the median {:.1} dB.",
             above_db.len(),
             above_db[above_db.len() - 1],
             above_db[above_db.len() / 2]
@@ -116,5 +120,28 @@ fn name(level: Detail) -> &'static str {
         Detail::Centres => "centres: fitted scattering centres",
         Detail::Statistical => "statistical: points of the same mean level",
         Detail::Auto => "auto: the cheapest that keeps the accuracy asked",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_prose_of_the_page_fits_its_lines() {
+        let row = LevelRow {
+            scene: "a car",
+            asked_db: -20.0,
+            level: Detail::Merged,
+            chosen: String::new(),
+            paths: 100,
+            told: Some(0.1),
+            error: Some(0.01),
+            total: None,
+            seconds: [0.0; 3],
+        };
+        let page = page(&[row], Extent::Full);
+        let mut prose = page.lines().filter(|line| !line.starts_with(['|', '!']));
+        assert!(prose.all(|line| line.chars().count() <= 110), "{page}");
     }
 }

@@ -29,6 +29,11 @@ impl Part {
         self.line(format!("| {} |", cells.join(" | ")));
     }
 
+    /// Adds a table's row that begins with a name.
+    pub(super) fn named_row(&mut self, name: &str, cells: impl IntoIterator<Item = String>) {
+        self.row(&std::iter::once(name.to_owned()).chain(cells).collect::<Vec<_>>());
+    }
+
     /// Makes the study fail with this sentence once the page is written.
     pub(super) fn complain(&mut self, sentence: String) {
         self.complaint = Some(sentence);
@@ -37,5 +42,29 @@ impl Part {
     /// All lines, and the complaint.
     pub(crate) fn finished(self) -> (String, Option<String>) {
         (self.text, self.complaint)
+    }
+}
+
+/// A number with so many decimals, in a cell.
+pub(super) fn figure(value: f64, decimals: usize) -> String {
+    format!("{value:.decimals$}").replace('-', "−")
+}
+
+/// A number in a cell; a dash where there is none.
+pub(super) fn figure_or_dash(value: Option<f64>, decimals: usize) -> String {
+    value.map_or("–".to_owned(), |value| figure(value, decimals))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cells_have_minus_signs_and_dashes() {
+        assert_eq!([figure(-22.94, 1), figure_or_dash(None, 1)], ["−22.9", "–"]);
+        let mut part = Part::default();
+        part.head(&["scene", "error, dB"]);
+        part.named_row("street", [figure_or_dash(Some(-14.66), 1)]);
+        assert_eq!(part.finished().0, "| scene | error, dB |\n|---|---|\n| street | −14.7 |\n");
     }
 }

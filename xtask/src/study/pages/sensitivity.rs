@@ -8,7 +8,7 @@ mod needs;
 
 use crate::study::extent::Extent;
 use crate::study::pages::part::Part;
-use crate::study::sources::{CHAIN, Places};
+use crate::study::sources::{CHAIN, Places, RUN};
 use answers::{Answer, Answers};
 use artifact::goal::Goal;
 use changes::Changes;
@@ -18,11 +18,8 @@ use wayside::host::failure::Failure;
 use wayside::host::progress::note;
 
 /// Sources that the figures depend on.
-pub(crate) const SOURCES: Places = &[
-    CHAIN,
-    &["crates/classifier", "crates/evaluation", "crates/pipeline/src/chain", "crates/pipeline/src/outcome"],
-    &["scenes", "xtask/src/study/pages/sensitivity", file!()],
-];
+pub(crate) const SOURCES: Places =
+    &[CHAIN, RUN, &["crates/classifier", "scenes", "xtask/src/study/pages/sensitivity", file!()]];
 
 /// Tested accuracies, coarsest first, dB.
 const TRIED_DB: [f64; 4] = [-10.0, -15.0, -20.0, -30.0];
@@ -43,15 +40,17 @@ pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
     let answers = Answers::open(SOURCES)?;
     let all: Vec<Runs> =
         scenes::cases(extent)?.iter().map(|case| runs(&answers, case)).collect::<Result<_, _>>()?;
+    let every: Vec<&Runs> = all.iter().collect();
+    let followed: Vec<&Runs> = all.iter().filter(|run| !run.reference.tracks.is_empty()).collect();
     let mut part = Part::default();
     part.line("## Objects\n");
-    objects(&mut part, &all);
+    table(&mut part, &every, |a| &a.truth_of_objects, objects_of);
     part.line("\n## Tracks\n");
-    tracks(&mut part, &all);
+    table(&mut part, &followed, |a| &a.truth_of_tracks, tracks_of);
     part.line("\n## What each result needs\n");
-    needs(&mut part, &all);
+    needs(&mut part, &every);
     part.line("\n## What it saves\n");
-    seconds(&mut part, &all);
+    seconds(&mut part, &every);
     Ok(part)
 }
 
@@ -112,29 +111,20 @@ const COLUMNS: [&str; 11] = [
 const OF_NOISE: &str = "−10 dB, other noise";
 const OF_TRUTH: &str = "the finest, against truth";
 
-fn objects(part: &mut Part, all: &[Runs]) {
+/// Adds the rows of each group and of all.
+fn table(part: &mut Part, all: &[&Runs], truth: Telling, telling: Telling) {
     part.head(&COLUMNS);
     for (name, group) in groups(all) {
-        rows(part, name, &group, objects_of);
+        rows(part, name, &group, telling);
     }
-    let every: Vec<&Runs> = all.iter().collect();
-    rows(part, "all", &every, objects_of);
-    row(part, "all", OF_NOISE, &by_noise(&every, objects_of));
-    row(part, "all", OF_TRUTH, &errors(&every, |a| &a.truth_of_objects, objects_of));
-}
-
-fn tracks(part: &mut Part, all: &[Runs]) {
-    part.head(&COLUMNS);
-    let followed: Vec<&Runs> = all.iter().filter(|run| !run.reference.tracks.is_empty()).collect();
-    rows(part, "all", &followed, tracks_of);
-    row(part, "all", OF_NOISE, &by_noise(&followed, tracks_of));
-    row(part, "all", OF_TRUTH, &errors(&followed, |a| &a.truth_of_tracks, tracks_of));
+    rows(part, "all", all, telling);
+    row(part, "all", OF_TRUTH, &errors(all, truth, telling));
 }
 
 /// Runs of scenes that are reported together, in order.
-fn groups(all: &[Runs]) -> Vec<(&str, Vec<&Runs>)> {
+fn groups<'r>(all: &[&'r Runs]) -> Vec<(&'r str, Vec<&'r Runs>)> {
     let mut groups: Vec<(&str, Vec<&Runs>)> = vec![];
-    for run in all {
+    for &run in all {
         match groups.last_mut() {
             Some((name, group)) if *name == run.name => group.push(run),
             _ => groups.push((&run.name, vec![run])),
@@ -150,6 +140,7 @@ fn rows(part: &mut Part, name: &str, group: &[&Runs], telling: Telling) {
             row(part, name, &decibels(*accuracy_db), &changes);
         }
     }
+    row(part, name, OF_NOISE, &by_noise(group, telling));
 }
 
 fn row(part: &mut Part, name: &str, accuracy: &str, changes: &Changes) {
@@ -166,12 +157,11 @@ fn row(part: &mut Part, name: &str, accuracy: &str, changes: &Changes) {
 }
 
 /// Adds the coarsest accuracy that suffices for each result, and whether the program requests it.
-fn needs(part: &mut Part, all: &[Runs]) {
+fn needs(part: &mut Part, all: &[&Runs]) {
     part.head(&["`for`", "`accuracy_db`", "measured"]);
-    let every: Vec<&Runs> = all.iter().collect();
     for goal in Goal::ALL {
         let asked_db = goal.accuracy().db();
-        let measured_db = needed_db(goal, &every);
+        let measured_db = needed_db(goal, all);
         let found = match (goal, measured_db) {
             (Goal::Cube, _) => "an agreement: 10 % of the amplitude".to_owned(),
             (_, Some(db)) => decibels(db),
@@ -200,7 +190,7 @@ fn needed_db(goal: Goal, all: &[&Runs]) -> Option<f64> {
     needs::coarsest(&TRIED_DB, holds)
 }
 
-fn seconds(part: &mut Part, all: &[Runs]) {
+fn seconds(part: &mut Part, all: &[&Runs]) {
     let tried = TRIED_DB.map(decibels);
     let columns: Vec<&str> = tried.iter().map(String::as_str).collect();
     part.head(&[&["scenes, processor seconds"], columns.as_slice(), &["the finest"]].concat());

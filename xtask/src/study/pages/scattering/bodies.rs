@@ -1,8 +1,8 @@
 //! Vehicles of studies: the project's own, and real ones if present.
 
-use crate::project::{project_root, shared};
+use crate::project::project_root;
+use crate::study::pages::real_vehicles;
 use artifact::scene::{Mesh, SceneHeader};
-use std::path::{Path, PathBuf};
 use wayside::host::failure::Failure;
 use wayside::host::progress::note;
 
@@ -22,27 +22,20 @@ pub(super) fn all_own() -> Result<Vec<Named>, Failure> {
 /// Own vehicles, then the real ones in the order of their names; a remark if these are missing.
 pub(super) fn all() -> Result<Vec<Named>, Failure> {
     let mut meshes = all_own()?;
-    let folder = shared().join("vehicles");
-    let Ok(files) = std::fs::read_dir(&folder) else {
+    let Some(files) = real_vehicles::files() else {
+        let folder = real_vehicles::folder();
         note(format!("{} is not here: own vehicles take the places of real ones", folder.display()));
         return Ok(meshes);
     };
-    let mut files: Vec<PathBuf> = files.flatten().map(|file| file.path()).collect();
-    files.retain(|file| file.extension().is_some_and(|kind| kind == "glb"));
-    files.sort();
     for file in files {
-        meshes.push((file.file_stem().unwrap_or_default().to_string_lossy().into_owned(), read(&file)?));
+        meshes.push((real_vehicles::name_of(&file), real_vehicles::mesh(&file)?));
     }
     Ok(meshes)
 }
 
 /// One of the real ones, by name.
 pub(super) fn real(name: &str) -> Result<Mesh, Failure> {
-    read(&shared().join("vehicles").join(format!("{name}.glb")))
-}
-
-fn read(file: &Path) -> Result<Mesh, Failure> {
-    scene::read_mesh(file, &scene::MeshOptions { unit_scale: None }).map_err(Failure::refused)
+    real_vehicles::mesh(&real_vehicles::folder().join(format!("{name}.glb")))
 }
 
 /// The header to which random frames add one vehicle.

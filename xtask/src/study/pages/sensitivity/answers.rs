@@ -3,14 +3,14 @@
 
 use crate::study::pages::kept::Kept;
 use crate::study::pages::sensitivity::scenes::Case;
+use crate::study::pages::whole_runs::run_folder::RunFolder;
 use crate::study::sources::{self, Places};
 use artifact::settings::Class;
 use std::collections::BTreeMap;
 use std::path::Path;
+use wayside::Summary;
 use wayside::host::failure::Failure;
-use wayside::host::files;
 use wayside::outcome::summary::{FrameSummary, Predicted, TargetSummary, TrackSummary};
-use wayside::{CacheLocation, SceneSource, Settings, Summary};
 
 /// Values for one body in one frame, by an object, by a track or by the truth.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,15 +46,12 @@ type Summaries = Vec<([f64; 3], Summary)>;
 /// Results of runs: kept ones, and those of new runs.
 pub(super) struct Answers {
     kept: Kept,
-    /// Scenes, results, and this study's own cache, from which runs with other noise take their paths: frames
-    /// left by an earlier study would cost no seconds.
-    folder: tempfile::TempDir,
+    runs: RunFolder,
 }
 
 impl Answers {
     pub(super) fn open(sources: Places) -> Result<Self, Failure> {
-        let folder = tempfile::tempdir().map_err(|e| Failure::System(format!("no temporary folder: {e}")))?;
-        Ok(Self { kept: Kept::of("sensitivity", &sources::hash(sources)?), folder })
+        Ok(Self { kept: Kept::of("sensitivity", &sources::hash(sources)?), runs: RunFolder::new()? })
     }
 
     /// Results of a scene at an accuracy.
@@ -66,22 +63,11 @@ impl Answers {
     }
 
     fn run(&self, name: &str, text: &str, seed: Option<u64>) -> Result<Summaries, Failure> {
-        let place = |name: &str| self.folder.path().join(name);
-        // A separate file for each run: files that were read are never written.
-        let (file, out) = (place(&format!("{name}.toml")), place(name));
-        files::write_file(&file, text.as_bytes())?;
-        let scene = SceneSource { file: file.clone(), seed, ..SceneSource::default() };
-        let cache = CacheLocation { folder: Some(place("cache")), ..CacheLocation::default() };
-        wayside::run(&Settings { scene, cache: Some(cache), ..Settings::of(&file, &out) })?;
-        let radars = scene::radars(&file).map_err(Failure::refused)?;
-        if radars.is_empty() {
-            return Ok(vec![(position_m(&file, None)?, Summary::read(&out.join("summary.json"))?)]);
-        }
-        let of = |radar: String| {
-            let summary = Summary::read(&out.join(&radar).join("summary.json"))?;
-            Ok((position_m(&file, Some(radar))?, summary))
-        };
-        radars.into_iter().map(of).collect()
+        let (file, outcome) = self.runs.outcome(name, text, |run| run.scene.seed = seed)?;
+        // A scene with one radar has no name for it.
+        let mut radars = scene::radars(&file).map_err(Failure::refused)?.into_iter();
+        let of = |(_, summary): (&Path, &Summary)| Ok((position_m(&file, radars.next())?, summary.clone()));
+        outcome.radars().map(of).collect()
     }
 }
 

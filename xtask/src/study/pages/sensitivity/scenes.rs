@@ -1,8 +1,8 @@
 //! Scenes of the study: those of `scenes/`, some frames of traffic, and vehicles as drawn by the recipe
 //! `scenes/vehicles.dataset.toml`.
 
-use crate::project::project_root;
 use crate::study::extent::Extent;
+use crate::study::pages::whole_runs::scene_files::{text_of, with_key};
 use wayside::host::failure::Failure;
 
 /// A scene whose accuracy is yet to be specified.
@@ -44,8 +44,8 @@ pub(super) fn cases(extent: Extent) -> Result<Vec<Case>, Failure> {
     all.push(of_file("intersection", -20.0, |text| text)?);
     all.push(of_file("traffic", -20.0, |text| text.replace("end_s = 29.9", "end_s = 28.9"))?);
     all.push(of_file("tracking", -30.0, |text| {
-        let fewer = text.replace("frames = 24", &format!("frames = {FRAMES}"));
-        with_fidelity(&fewer, &format!("measured_every = {FRAMES}"))
+        let fewer = with_key(&text, "", "frames", FRAMES);
+        with_key(&fewer, "fidelity", "measured_every", FRAMES)
     })?);
     all.push(of_file("four-directions", -20.0, |text| text)?);
     all.push(of_file("street", -20.0, |text| text)?);
@@ -64,36 +64,19 @@ fn alone(number: usize, (class, model, lane, y_m, speed_mps): &Drawn) -> Case {
     Case { name: format!("draw{number:02}"), group: "draws of the dataset", reference_db, text }
 }
 
-/// A scene file with changes, its file names relative to the project.
+/// A scene file with changes.
 fn of_file(
     name: &'static str,
     reference_db: f64,
     change: impl Fn(String) -> String,
 ) -> Result<Case, Failure> {
-    let root = project_root();
-    let file = root.join("scenes").join(format!("{name}.toml"));
-    let text = std::fs::read_to_string(&file).map_err(|e| Failure::system(&file, "read", e))?;
-    let (scenes, fixtures) = (root.join("scenes"), root.join("fixtures"));
-    let text = text
-        .replace("\"vehicles.", &format!("\"{}/vehicles.", scenes.display()))
-        .replace("\"../fixtures/", &format!("\"{}/", fixtures.display()));
-    Ok(Case { name: name.to_owned(), group: name, reference_db, text: change(text) })
+    Ok(Case { name: name.to_owned(), group: name, reference_db, text: change(text_of(name)?) })
 }
 
 impl Case {
     /// The scene file with a requested accuracy.
     pub(super) fn asked(&self, accuracy_db: f64) -> String {
-        let others = self.text.lines().filter(|line| !line.starts_with("accuracy_db"));
-        let others = others.collect::<Vec<_>>().join("\n");
-        with_fidelity(&others, &format!("accuracy_db = {accuracy_db:.1}"))
-    }
-}
-
-/// A scene file with an additional key in `[fidelity]`.
-fn with_fidelity(text: &str, key: &str) -> String {
-    match text.contains("[fidelity]") {
-        true => text.replace("[fidelity]", &format!("[fidelity]\n{key}")),
-        false => format!("{text}\n[fidelity]\n{key}\n"),
+        with_key(&self.text, "fidelity", "accuracy_db", format!("{accuracy_db:.1}"))
     }
 }
 
