@@ -8,9 +8,9 @@ use crate::study::sources::{self, Places};
 use artifact::settings::Class;
 use std::collections::BTreeMap;
 use std::path::Path;
-use wayside::Summary;
 use wayside::host::failure::Failure;
 use wayside::outcome::summary::{FrameSummary, Predicted, TargetSummary, TrackSummary};
+use wayside::{RadarOutcome, Summary};
 
 /// Values for one body in one frame, by an object, by a track or by the truth.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -66,8 +66,8 @@ impl Answers {
         let (file, outcome) = self.runs.outcome(name, text, |run| run.scene.seed = seed)?;
         // A scene with one radar has no name for it.
         let mut radars = scene::radars(&file).map_err(Failure::refused)?.into_iter();
-        let of = |(_, summary): (&Path, &Summary)| Ok((position_m(&file, radars.next())?, summary.clone()));
-        outcome.radars().map(of).collect()
+        let of = |radar: &RadarOutcome| Ok((position_m(&file, radars.next())?, radar.summary().clone()));
+        outcome.radars().iter().map(of).collect()
     }
 }
 

@@ -89,7 +89,7 @@ pub(crate) fn part_of_scenes(extent: Extent) -> Result<Part, Failure> {
         let model = project_root().join("fixtures/paper-network.model");
         let (_, outcome) = runs.outcome(scene, &text_of(scene)?, |run| run.classifier = Some(model))?;
         let mut told = Told::default();
-        outcome.radars().for_each(|(folder, summary)| told.add(folder, summary));
+        outcome.radars().iter().for_each(|radar| told.add(radar.folder(), radar.summary()));
         let correct = format!("{} of {}", told.right, told.right + told.wrong.len());
         part.named_row(&format!("`{scene}.toml`"), [correct, told.wrong.join("; ")]);
     }

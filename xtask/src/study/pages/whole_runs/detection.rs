@@ -8,7 +8,7 @@ use wayside::Allowance;
 use wayside::host::failure::Failure;
 use wayside::host::files;
 use wayside::host::progress::note;
-use wayside::learning::dataset::{self, Settings, Task};
+use wayside::learning::dataset::{self, DatasetSettings, Task};
 
 /// Sources that the figures depend on.
 pub(crate) const SOURCES: Places = &[
@@ -26,7 +26,7 @@ pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
     let folder = tempfile::tempdir().map_err(|e| Failure::System(format!("no temporary folder: {e}")))?;
     let (recipe, out) = (folder.path().join("recipe.toml"), folder.path().join("vehicles"));
     files::write_file(&recipe, recipe_of(extent)?.as_bytes())?;
-    dataset::run(&Settings {
+    dataset::run(&DatasetSettings {
         recipe,
         out: out.clone(),
         seed: None,
