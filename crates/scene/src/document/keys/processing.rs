@@ -172,12 +172,13 @@ pub(crate) struct ClusterReach {
     pub(crate) cross_m: f64,
 }
 
-/// In range a compromise between the gaps between glints of one long vehicle and those that drivers keep;
-/// across less than a lane.
+/// Distances for vehicles. The one in range is a compromise between the gaps between glints of one long
+/// vehicle and those that drivers keep; the one across is less than a lane.
 const VEHICLES: ClusterReach = ClusterReach { range_m: 2.5, cross_m: 2.5 };
 
-/// In range the longer axis of a standing body, 50 × 60 cm; across less than the 0.87 m between two people
-/// who walk, each in a zone of 0.75 m² (Rouphail et al., FHWA-RD-98-107, 1998, §2.1).
+/// Distances for people. The one in range is the longer axis of a standing body, 50 × 60 cm; the one across
+/// is less than the 0.87 m between two people who walk, each in a zone of 0.75 m² (Rouphail et al.,
+/// FHWA-RD-98-107, 1998, §2.1).
 const PEOPLE: ClusterReach = ClusterReach { range_m: 0.6, cross_m: 0.8 };
 
 pub(crate) const CLUSTER: Key<Words<ClusterReach>, Or<ClusterReach>> = Key::new(
