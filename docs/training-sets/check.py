@@ -94,6 +94,7 @@ SPEED_OF_LIGHT_MPS = 299_792_458.0
 
 
 def main():
+    print(f"loaders run on {FRAMEWORK}", flush=True)
     program, folder = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
     folder.mkdir(parents=True)
     os.chdir(folder)
@@ -411,7 +412,7 @@ def samples_as_table(program):
 def batches(program):
     """Every loader behind PyTorch's own, which makes tensors of what it hands out."""
     if "torch" not in sys.modules:
-        return "PyTorch is not installed: left out"
+        return "left out: PyTorch is not installed (docs/training-sets.md, \"The check\")"
     sets = [loaders.RadDet("raddet"), loaders.Carrada("carrada"), loaders.Uwcr("uwcr"),
             loaders.Kitti("kitti"), loaders.NuScenes("nuscenes"), loaders.Table("samples.parquet")]
     told = {}

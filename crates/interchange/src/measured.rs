@@ -5,3 +5,5 @@ pub(crate) mod box_place;
 pub(crate) mod slopes;
 pub(crate) mod standard_errors;
 pub(crate) mod existence;
+pub(crate) mod frame_names;
+pub(crate) mod packed_points;

@@ -2,7 +2,6 @@
 //! `radar_msgs/RadarTracks` for tracks. Messages are encoded in CDR; their definitions are in the file, so
 //! that readers need no ROS.
 
-mod frames;
 mod cdr;
 mod definitions;
 mod point_cloud;

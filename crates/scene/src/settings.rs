@@ -13,7 +13,7 @@ use crate::document::keys::lanes::{
     CROSSING_WIDTH, INTERSECTION, LANE_AZIMUTH, LANE_CENTRES, LANE_ORIGIN, LANE_WIDTH, RADAR_INTERSECTION,
 };
 use crate::document::keys::processing::{
-    ANGLE, ASSUMED_HEIGHT, CALIBRATION, CLUSTER_CROSS, CLUSTER_RANGE, CLUSTER_VELOCITY, DETECTOR,
+    ANGLE, ASSUMED_HEIGHT, CALIBRATION, CLUSTER, CLUSTER_CROSS, CLUSTER_RANGE, CLUSTER_VELOCITY, DETECTOR,
     DOPPLER_WINDOW, DSP, FALSE_ALARM_RATE, GUARD_CELLS, NEAREST, NOISE, NOISE_FIGURE, RANGE_WINDOW, REFINE,
     SNR, STATIC, TEMPERATURE, TRAINING_CELLS,
 };
@@ -61,6 +61,7 @@ pub(crate) fn read_dsp(root: &Section<'_>, radar: &Radar, road: Lanes, models: &
     }
     let [guard_cells, training_cells] = read_window(&section, map);
     check_window(&section, map, guard_cells, training_cells);
+    let reach = section.or_default(&CLUSTER);
     DspSettings {
         range_window: section.or_default(&RANGE_WINDOW),
         doppler_window: section.or_default(&DOPPLER_WINDOW),
@@ -74,9 +75,9 @@ pub(crate) fn read_dsp(root: &Section<'_>, radar: &Radar, road: Lanes, models: &
         static_echoes: section.or_default(&STATIC),
         nearest_m: section.or_default(&NEAREST),
         assumed_height_m: section.or_default(&ASSUMED_HEIGHT),
-        cluster_range_m: section.or_default(&CLUSTER_RANGE),
+        cluster_range_m: section.read(&CLUSTER_RANGE).unwrap_or(reach.range_m),
         cluster_velocity_mps: section.or_default(&CLUSTER_VELOCITY),
-        cluster_cross_m: section.or_default(&CLUSTER_CROSS),
+        cluster_cross_m: section.read(&CLUSTER_CROSS).unwrap_or(reach.cross_m),
         road,
     }
 }

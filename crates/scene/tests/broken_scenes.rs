@@ -135,6 +135,7 @@ const CASES: &[Case] = &[
     (NAME, "[dsp]\ntraining_cells = [4, 200]\n", "3:18", "guard and training cells need 405 cells of range, the map has 256"),
     (NAME, "[dsp]\ntraining_cells = [0, 0]\n", "3:18", "`training_cells` are none"),
     (NAME, "[dsp]\ndetector = \"cfar\"\n", "3:12", "`cfar`; it can be `ca-cfar`, `go-cfar`, `so-cfar`, `os-cfar`"),
+    (NAME, "[dsp]\ncluster = \"bicycles\"\n", "3:11", "`cluster` cannot be `bicycles`; it can be `vehicles`, `people`"),
     (NAME, "[dsp]\ncluster_range_m = 0\n", "3:19", "`cluster_range_m` must be a number above 0"),
     (NAME, "[fidelity]\naccuracy_db = 0\n", "3:15", "`accuracy_db` must be a number from -120, below 0, is 0"),
     (NAME, "[fidelity]\nfor = \"lanes\"\n", "3:7", "`for` cannot be `lanes`; it can be `cube`, `detection`, `tracks`, `class`"),

@@ -179,6 +179,18 @@ fn a_stagger_is_told_as_delays_after_the_mean_interval() {
 }
 
 #[test]
+fn people_form_objects_within_shorter_distances_unless_a_scene_sets_its_own() {
+    let reach = |keys: &str| {
+        let dsp = read_text(&format!("[dsp]\n{keys}")).dsp;
+        [dsp.cluster_range_m, dsp.cluster_velocity_mps, dsp.cluster_cross_m]
+    };
+    assert_eq!(reach("cluster = \"vehicles\"\n"), [2.5, 1.0, 2.5]);
+    assert_eq!(reach("cluster = \"people\"\n"), [0.6, 1.0, 0.8]);
+    assert_eq!(reach("cluster = \"people\"\ncluster_range_m = 1.2\n"), [1.2, 1.0, 0.8]);
+    assert_eq!(reach("cluster_cross_m = 3\ncluster = \"people\"\n"), [0.6, 1.0, 3.0]);
+}
+
+#[test]
 fn default_cfar_windows_shrink_to_a_small_map_and_given_ones_stay() {
     let small = read_text("[radar.waveform]\nsamples = 16\nchirps = 4\n");
     assert_eq!((small.dsp.guard_cells, small.dsp.training_cells), ([1, 2], [0, 5]));

@@ -1,10 +1,10 @@
-//! Messages of other programs: ASAM OSI in `.osi` or MCAP, ROS 2 in MCAP.
+//! Messages of other programs: ASAM OSI in `.osi` or MCAP, ROS 2 and Foxglove in MCAP.
 
 use artifact::paths::Paths;
 use artifact::points::Points;
 use artifact::tracks::{Tracks, TracksFrame};
 use artifact::{Reader, Schema};
-use interchange::{Container, RosRecording, SensorDataTrace, SensorViewTrace};
+use interchange::{Container, FoxgloveRecording, RosRecording, SensorDataTrace, SensorViewTrace};
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::host::progress;
@@ -29,6 +29,18 @@ pub fn mcap(file: &Path, schema: &str, out: &Path) -> Result<(), Failure> {
         Points::NAME => points_as_ros(Reader::open(file)?, out),
         _ => tracks_as_ros(Reader::open(file)?, out),
     }
+}
+
+/// Points as messages of Foxglove.
+pub fn foxglove(file: &Path, out: &Path) -> Result<(), Failure> {
+    let reader = Reader::<Points>::open(file)?;
+    files::write_with(out, |stream| {
+        let mut recording = FoxgloveRecording::create(stream)?;
+        for frame in progress::frames(reader) {
+            recording.points(&frame.map_err(Error::other)?)?;
+        }
+        recording.finish()
+    })
 }
 
 /// The container for a file name's ending.

@@ -1,26 +1,7 @@
-//! Descriptors of messages for readers of a file: a `google.protobuf.FileDescriptorSet` of the fields written
-//! here. A reader that knows OSI does not need it; one that knows only Protocol Buffers decodes the messages
-//! by it. Enumerations are described as integers, as on the wire.
+//! Fields of the written messages, for readers of MCAP that do not know OSI.
 
-use prost::Message;
-
-/// Kind of a field.
-#[derive(Clone, Copy)]
-enum Kind {
-    Double,
-    Int32,
-    Uint32,
-    Int64,
-    Uint64,
-    One(&'static str),
-    Many(&'static str),
-}
-
-use Kind::{Double, Int32, Int64, Many, One, Uint32, Uint64};
-
-/// Message with its fields' names, numbers and kinds. A name with a point is a message nested in another one,
-/// which comes before it.
-type MessageRow = (&'static str, &'static [(&'static str, i32, Kind)]);
+use crate::descriptors::Kind::{Double, Int32, Int64, Many, One, Uint32, Uint64};
+use crate::descriptors::{Definitions, MessageRow, described};
 
 const COMMON: &[MessageRow] = &[
     (
@@ -171,93 +152,17 @@ const SENSOR_VIEW: &[MessageRow] = &[
 
 /// Descriptor of `osi3.SensorData` and all of its parts.
 pub(crate) fn sensor_data() -> Vec<u8> {
-    described("osi3/sensor_data.proto", SENSOR_DATA)
+    of_osi("osi3/sensor_data.proto", SENSOR_DATA)
 }
 
 /// Descriptor of `osi3.SensorView` and all of its parts.
 pub(crate) fn sensor_view() -> Vec<u8> {
-    described("osi3/sensor_view.proto", SENSOR_VIEW)
+    of_osi("osi3/sensor_view.proto", SENSOR_VIEW)
 }
 
-fn described(name: &str, rows: &[MessageRow]) -> Vec<u8> {
-    let mut file = FileDescriptor {
-        name: name.into(),
-        package: "osi3".into(),
-        message_type: vec![],
-        syntax: "proto2".into(),
-    };
-    for (name, fields) in COMMON.iter().chain(rows) {
-        let (outer, inner) =
-            name.split_once('.').map_or((None, *name), |(outer, inner)| (Some(outer), inner));
-        let field = fields.iter().map(|(name, number, kind)| field(name, *number, *kind)).collect();
-        let message = MessageDescriptor { name: inner.into(), field, nested_type: vec![] };
-        let within = outer.and_then(|outer| file.message_type.iter_mut().find(|m| m.name == outer));
-        match within {
-            Some(outer) => outer.nested_type.push(message),
-            None => file.message_type.push(message),
-        }
-    }
-    DescriptorSet { file: vec![file] }.encode_to_vec()
-}
-
-fn field(name: &str, number: i32, kind: Kind) -> FieldDescriptor {
-    // Numbers of google.protobuf.FieldDescriptorProto.Type.
-    let (of, message) = match kind {
-        Double => (1, None),
-        Int64 => (3, None),
-        Uint64 => (4, None),
-        Int32 => (5, None),
-        Uint32 => (13, None),
-        One(message) | Many(message) => (11, Some(format!(".osi3.{message}"))),
-    };
-    let label = if matches!(kind, Many(_)) { 3 } else { 1 };
-    FieldDescriptor { name: name.into(), number, label, kind: of, type_name: message }
-}
-
-/// `google.protobuf.FileDescriptorSet`.
-#[derive(Clone, PartialEq, Message)]
-struct DescriptorSet {
-    #[prost(message, repeated, tag = "1")]
-    file: Vec<FileDescriptor>,
-}
-
-/// `google.protobuf.FileDescriptorProto`.
-#[derive(Clone, PartialEq, Message)]
-struct FileDescriptor {
-    #[prost(string, required, tag = "1")]
-    name: String,
-    #[prost(string, required, tag = "2")]
-    package: String,
-    #[prost(message, repeated, tag = "4")]
-    message_type: Vec<MessageDescriptor>,
-    #[prost(string, required, tag = "12")]
-    syntax: String,
-}
-
-/// `google.protobuf.DescriptorProto`.
-#[derive(Clone, PartialEq, Message)]
-struct MessageDescriptor {
-    #[prost(string, required, tag = "1")]
-    name: String,
-    #[prost(message, repeated, tag = "2")]
-    field: Vec<FieldDescriptor>,
-    #[prost(message, repeated, tag = "3")]
-    nested_type: Vec<MessageDescriptor>,
-}
-
-/// `google.protobuf.FieldDescriptorProto`.
-#[derive(Clone, PartialEq, Message)]
-struct FieldDescriptor {
-    #[prost(string, required, tag = "1")]
-    name: String,
-    #[prost(int32, required, tag = "3")]
-    number: i32,
-    #[prost(int32, required, tag = "4")]
-    label: i32,
-    #[prost(int32, required, tag = "5")]
-    kind: i32,
-    #[prost(string, optional, tag = "6")]
-    type_name: Option<String>,
+fn of_osi(name: &'static str, rows: &[MessageRow]) -> Vec<u8> {
+    let messages = [COMMON, rows].concat();
+    described(&[Definitions { name, package: "osi3", imports: &[], syntax: "proto2", messages }])
 }
 
 #[cfg(test)]

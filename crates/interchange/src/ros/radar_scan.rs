@@ -1,9 +1,9 @@
 //! Points as `radar_msgs/RadarScan` in the sensor's axes; the amplitude is the signal-to-noise ratio in dB,
 //! and a positive velocity recedes.
 
+use crate::measured::frame_names::SENSOR;
 use crate::measured::sensor_axes::SensorAxes;
 use crate::ros::cdr::Cdr;
-use crate::ros::frames::SENSOR;
 use artifact::Radar;
 use artifact::points::PointsFrame;
 

@@ -3,8 +3,8 @@
 //! −1.
 
 use crate::measured::box_place::middle_covariance;
+use crate::measured::frame_names::WORLD;
 use crate::ros::cdr::Cdr;
-use crate::ros::frames::WORLD;
 use artifact::tracks::{Track, TrackState, TracksFrame};
 
 /// The message's value for an unknown variance.

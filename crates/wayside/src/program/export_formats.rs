@@ -27,7 +27,7 @@ pub(crate) enum Export {
 use Export::{File, Set};
 
 /// Artifacts, the formats to which each is exported, and the writers.
-const EXPORTS: [(&str, FormatWord, Export); 35] = [
+const EXPORTS: [(&str, FormatWord, Export); 36] = [
     ("scene", Json, File(as_json::<Scene>)),
     ("paths", Csv, File(|file, out| paths::csv(Reader::open(file)?, out))),
     ("paths", Json, File(as_json::<Paths>)),
@@ -49,6 +49,7 @@ const EXPORTS: [(&str, FormatWord, Export); 35] = [
     ("points", Json, File(as_json::<Points>)),
     ("points", Osi, File(|file, out| interchange::osi(file, "points", out))),
     ("points", Mcap, File(|file, out| interchange::mcap(file, "points", out))),
+    ("points", Foxglove, File(interchange::foxglove)),
     ("points", Kitti, Set(kitti::write)),
     ("points", Nuscenes, Set(nuscenes::write)),
     ("points", Parquet, File(|file, out| parquet::points(Reader::open(file)?, out))),

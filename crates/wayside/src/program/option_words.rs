@@ -86,6 +86,8 @@ pub(crate) enum FormatWord {
     Osi,
     /// Messages of ROS 2: PointCloud2 and RadarScan, RadarTracks.
     Mcap,
+    /// Points as PointCloud of Foxglove, without ROS, in a file ending in .mcap.
+    Foxglove,
     /// A folder in RADDet's layout: range-azimuth-Doppler tensors and boxes.
     Raddet,
     /// A folder in CARRADA's layout: range-Doppler and range-angle maps and annotations.

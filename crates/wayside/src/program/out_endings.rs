@@ -66,7 +66,9 @@ fn exported(arguments: &ExportArguments) -> Option<Written<'_>> {
         return None;
     }
     let format = name_of(arguments.to);
-    let writer = format!("export FILE --to {format}");
+    // Its messages are in the same container as those of ROS 2.
+    let alike = if arguments.to == FormatWord::Foxglove { FormatWord::Mcap } else { arguments.to };
+    let writer = format!("export FILE --to {}", name_of(alike));
     let endings: Vec<_> = WRITERS.iter().filter(|(_, by)| *by == writer).map(|(ending, _)| *ending).collect();
     let first = *endings.first().filter(|_| arguments.to != FormatWord::Sigmf)?;
     Some(Written { out: &arguments.out, what: format!(".{first} with --to {format}"), endings })

@@ -101,6 +101,7 @@ fn a_result_is_not_written_under_the_ending_of_another_format() {
         ("calibrate f.cube --at-m 2,30,1", "x.npy", "calibrate writes a table (.csv)"),
         ("scene-from board.cfg --device xwr1443", "x.cube", "`wayside echo`"),
         ("export f.points --to csv", "x.pcd", "export writes .csv with --to csv"),
+        ("export f.points --to foxglove", "x.osi", "export writes .mcap with --to foxglove"),
         ("export f.cube --to dca1000", "x.cube", "export writes .bin with --to dca1000"),
         (&format!("rcs corner.obj {RCS}"), "x.csv", "rcs writes an array of NumPy (.npy)"),
         ("vehicles", "x.glb", "vehicles writes a folder"),

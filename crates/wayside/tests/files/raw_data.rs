@@ -332,15 +332,39 @@ fn changed(place: &Workplace, name: &str, part: impl Fn(usize, f32) -> f32) {
     std::fs::write(place.path(name), [head.to_vec(), values.collect()].concat()).unwrap();
 }
 
-#[test]
-fn samples_that_no_converter_of_the_radar_gives_are_refused_with_what_is_to_be_done() {
+/// The small scene's cube and its array, and the factor by which the largest part of a value is 900.
+fn in_steps() -> (Workplace, f32) {
     let place = Workplace::new();
     place.run("echo small.toml --out a.cube --quiet");
     place.run("export a.cube --to npy --out a.npy --quiet");
     let bytes = place.bytes("a.npy");
     let parts = bytes[head_of(&bytes)..].as_chunks::<4>().0.iter().map(|part| f32::from_le_bytes(*part));
     let peak = parts.fold(0.0_f32, |peak, part| peak.max(part.abs()));
-    let word = |part: f32| (part / peak * 900.0) as i16;
+    (place, 900.0 / peak)
+}
+
+#[test]
+fn levels_of_steps_are_in_decibels_of_steps_or_of_full_scale_and_never_in_watts() {
+    let (place, steps) = in_steps();
+    changed(&place, "steps.npy", |_, part| (part * steps).trunc());
+    for (samples, words, unit) in [
+        ("steps.npy", "", "dB of ADC steps"),
+        ("steps.npy", "--full-scale 2048", "dBFS"),
+        ("a.npy", "", "dBW"),
+    ] {
+        place.run(&format!("import {samples} --scene small.toml {words} --out b.cube --quiet"));
+        place.run("dsp b.cube --out d --quiet");
+        for told in ["b.cube", "d/b.rdm"].map(|file| place.run(&format!("inspect {file}"))) {
+            let units = ["dB of ADC steps", "dBFS", "dBW"].into_iter().filter(|unit| told.contains(unit));
+            assert_eq!(units.collect::<Vec<_>>(), [unit], "{told}");
+        }
+    }
+}
+
+#[test]
+fn samples_that_no_converter_of_the_radar_gives_are_refused_with_what_is_to_be_done() {
+    let (place, steps) = in_steps();
+    let word = |part: f32| (part * steps) as i16;
     changed(&place, "words.npy", |_, part| f32::from(word(part).cast_unsigned()));
     changed(&place, "signed.npy", |_, part| f32::from(word(part)));
     changed(&place, "real.npy", |index, part| if index % 2 == 0 { part } else { 0.0 });

@@ -275,8 +275,10 @@ fn a_program_without_messages_of_others_says_how_to_build_one_with_them() {
     refused(&place.try_run("run trace.toml --out a --quiet"), 1, &["a.osi", how], "a trace");
     place.run("echo small.toml --out a.cube --quiet");
     place.run("dsp a.cube --out a --quiet");
-    for (file, format) in [("a/a.points", "osi"), ("a/a.tracks", "mcap")] {
-        let words = format!("export {file} --to {format} --out b.{format} --quiet");
+    for (file, format, ending) in
+        [("a/a.points", "osi", "osi"), ("a/a.tracks", "mcap", "mcap"), ("a/a.points", "foxglove", "mcap")]
+    {
+        let words = format!("export {file} --to {format} --out b.{ending} --quiet");
         refused(&place.try_run(&words), 2, &[how], &words);
     }
 }

@@ -67,6 +67,7 @@ pub(crate) const DSP: Table = Table {
         &STATIC,
         &NEAREST,
         &ASSUMED_HEIGHT,
+        &CLUSTER,
         &CLUSTER_RANGE,
         &CLUSTER_VELOCITY,
         &CLUSTER_CROSS,
@@ -164,17 +165,41 @@ pub(crate) const ASSUMED_HEIGHT: Key<Number, Or<f64>> = Key::new(
 )
 .or(0.75);
 
-/// Clustering distance in range: a compromise between the gaps between glints of one long vehicle and those
-/// that drivers keep.
-pub(crate) const CLUSTER_RANGE: Key<Number, Or<f64>> = Key::new(
+/// Distances within which detections can join one object.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct ClusterReach {
+    pub(crate) range_m: f64,
+    pub(crate) cross_m: f64,
+}
+
+/// Distances for vehicles. The one in range is a compromise between the gaps between glints of one long
+/// vehicle and those that drivers keep; the one across is less than a lane.
+const VEHICLES: ClusterReach = ClusterReach { range_m: 2.5, cross_m: 2.5 };
+
+/// Distances for people. The one in range is the longer axis of a standing body, 50 × 60 cm; the one across
+/// is less than the 0.87 m between two people who walk, each in a zone of 0.75 m² (Rouphail et al.,
+/// FHWA-RD-98-107, 1998, §2.1).
+const PEOPLE: ClusterReach = ClusterReach { range_m: 0.6, cross_m: 0.8 };
+
+pub(crate) const CLUSTER: Key<Words<ClusterReach>, Or<ClusterReach>> = Key::new(
+    "cluster",
+    Words(|| vec![("vehicles", VEHICLES), ("people", PEOPLE)]),
+    "whose detections are to form objects: the defaults of `cluster_range_m` and `cluster_cross_m`. People \
+     are smaller and closer together; their limbs stay within the same `cluster_velocity_mps` of the trunk \
+     as the parts of a vehicle",
+)
+.or(VEHICLES);
+
+pub(crate) const CLUSTER_RANGE: Key<Number> = Key::new(
     "cluster_range_m",
     Number(Above(0.0, 1e3)),
     "m in range: detections closer than this can join one object",
 )
-.or(2.5);
+.absent("2.5; of people 0.6");
 
 pub(crate) const CLUSTER_VELOCITY: Key<Number, Or<f64>> =
     Key::new("cluster_velocity_mps", Number(Above(0.0, 1e3)), "m/s, likewise").or(1.0);
 
-pub(crate) const CLUSTER_CROSS: Key<Number, Or<f64>> =
-    Key::new("cluster_cross_m", Number(Above(0.0, 1e3)), "m across the line of sight, likewise").or(2.5);
+pub(crate) const CLUSTER_CROSS: Key<Number> =
+    Key::new("cluster_cross_m", Number(Above(0.0, 1e3)), "m across the line of sight, likewise")
+        .absent("2.5; of people 0.8");
