@@ -48,6 +48,7 @@ function handle(view) {
     draw: () => drawAll(view),
     choose: (index) => choose(view, index),
     pixelOf: (index) => onScreen(space, middleOf(state.frame.bodies[index])),
+    pixelOfPlace: (place) => onScreen(space, place),
     pixelOnMap: (range, velocity) =>
       pixelOnMap(part("map"), state.frame.map, snapped(state.frame.map, { range, velocity })),
   };
