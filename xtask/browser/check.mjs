@@ -4,8 +4,8 @@
 //   node check.mjs CHROMIUM REPORT.html [VIEW.html [STUDY.html [FOLDER for pictures]]]
 //
 // The report is of several frames with paths of several bounces, the view of an `rcs` table over azimuth, the
-// study of several designs and situations; a page that is not named, or by an empty word, is not looked at. The
-// last line is one of `cargo test`.
+// study of several designs and situations; a page that is not named, or by an empty word, is not looked at.
+// The last line is one of `cargo test`.
 
 import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";
@@ -25,6 +25,7 @@ import { takePictures } from "./pictures.mjs";
 import {
   heightsAreTold,
   layersAreToggled,
+  namesAreFree,
   pictureIsDrawn,
   pointTargetIsChosen,
   slidersMove,
@@ -45,6 +46,7 @@ async function reportIsViewed(page, url) {
   await openView(page, url);
   holds("starts its view", await page.value("typeof waysideViewer === 'object'"));
   await pictureIsDrawn(page);
+  await namesAreFree(page, "a page");
   await heightsAreTold(page);
   await slidersMove(page);
   await layersAreToggled(page);
@@ -57,6 +59,8 @@ async function reportIsViewed(page, url) {
   await pathsFade(page);
   await cutsMoveTheCursor(page);
   await speeds(page);
+  await openView(page, url, [400, 800]);
+  await namesAreFree(page, "a telephone");
 }
 
 const { page, close } = await launch(program);

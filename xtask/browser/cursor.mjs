@@ -1,4 +1,4 @@
-// The cursor that map, cuts and picture share, the mask on the map, and the paths that fade beside the cursor.
+// The cursor that map, cuts and picture share, the mask on the map, and paths that fade beside the cursor.
 
 import { pause } from "./chromium.mjs";
 import { PIXELS, RECT, TEXT, settled, slide } from "./looks.mjs";
@@ -52,8 +52,8 @@ export async function cutsMoveTheCursor(page) {
   }
 }
 
-// Sides between a detected cell and one that is not, and which of them change when the mask is emptied. A side
-// at the map's edge is half hidden: it is not asked for. Objects would hide others.
+// Sides between a detected cell and one that is not, and which of them change when the mask is emptied. A
+// side at the map's edge is half hidden: it is not asked for. Objects would hide others.
 const OUTLINES = `(async () => {
   const { frame } = waysideViewer.view.state;
   const { map, objects } = frame;
@@ -109,13 +109,15 @@ const CIRCLE = `((range) => {
   const { canvas } = waysideViewer.view.space;
   const places = Array.from({ length: 9 }, (_, i) => {
     const azimuth = ahead - 0.4 * left + (0.4 * (left + right) * i) / 8;
-    return waysideViewer.pixelOfPlace([x + radius * Math.sin(azimuth), y + radius * Math.cos(azimuth), 0.03]);
+    const place = [x + radius * Math.sin(azimuth), y + radius * Math.cos(azimuth), 0.03];
+    return waysideViewer.pixelOfPlace(place);
   });
-  const isSeen = (at) => at && at[0] > 2 && at[1] > 2 && at[0] < canvas.width - 3 && at[1] < canvas.height - 3;
+  const sides = [canvas.width, canvas.height];
+  const isSeen = (at) => at && at.every((pixel, axis) => pixel > 2 && pixel < sides[axis] - 3);
   return places.filter(isSeen).map(([px, py]) => [px, canvas.height - 1 - py]);
 })`;
 
-// Columns, or rows, of a canvas in which more than three tenths of the pixels changed: where a line was or is.
+// Columns, or rows, of a canvas in which more than three tenths of the pixels changed: where a line is or was.
 const LINES = `((before, after, isUpright) => {
   const { width, height } = after;
   const [across, along] = isUpright ? [width, height] : [height, width];
@@ -180,6 +182,8 @@ export async function cursorIsDrawn(page) {
   })`);
   const areDrawn = circles.every(({ places, drawn }) => places > 0 && drawn === places);
   holds("draws the cursor as a circle on the ground of the picture", areDrawn, circles);
+  const own = await page.value("look.moved(seenBefore.space, seenAfter.space, [look.mark('c5')])");
+  holds("draws that circle in a colour of its own", own.towards > 20, own);
   await page.value("look.layers(), null");
 }
 
@@ -226,7 +230,7 @@ const POWER_OF_PATHS = `(() => {
   return sum;
 })()`;
 
-// Cell of the strongest path that does not lie about the cell of another, and the cell farthest from all paths.
+// Cell of the strongest path, and the cell farthest from those of all paths.
 const CELLS_OF_PATHS = `(() => {
   const { frame, shown } = waysideViewer.view.state;
   const { map, paths } = frame;
@@ -241,7 +245,9 @@ const CELLS_OF_PATHS = `(() => {
   for (let row = 4; row < rows - 4; row += 4)
     for (let column = 4; column < columns - 4; column += 4) {
       const apart = distance(column, row);
-      if (apart > farthest) [empty, farthest] = [{ range: r0 + column * dr, velocity: v0 + row * dv }, apart];
+      if (apart <= farthest) continue;
+      farthest = apart;
+      empty = { range: r0 + column * dr, velocity: v0 + row * dv };
     }
   return { farthest, empty, strongest: { range: paths.ranges_m[0], velocity: paths.velocities_mps[0] } };
 })()`;

@@ -97,8 +97,11 @@ const LOOK = `globalThis.look = {
       waysideViewer.view.state.layers[box.dataset.layer] = box.checked;
     waysideViewer.draw();
   },
-  // Colour of marks, as bytes.
-  mark: (name) => waysideViewer.view.state.colours.named[name].slice(0, 3).map((value) => 255 * value),
+  // Colour of marks, as bytes; nothing moves towards one that has no name.
+  mark: (name) => {
+    const colour = waysideViewer.view.state.colours.named[name] ?? [NaN, NaN, NaN];
+    return colour.slice(0, 3).map((value) => 255 * value);
+  },
 };
 null`;
 

@@ -29,6 +29,35 @@ export async function pictureIsDrawn(page) {
   );
 }
 
+// Places of the names that are shown, and of objects, in pixels of the picture.
+const NAMES = `(() => {
+  const { x, y } = waysideViewer.view.space.canvas.getBoundingClientRect();
+  const names = [...document.querySelectorAll("#viewer-names > *")].filter((name) => !name.hidden);
+  const box = (name) => {
+    const { left, top, right, bottom } = name.getBoundingClientRect();
+    const at = [left - x, top - y, right - x, bottom - y];
+    return { words: name.textContent, isButton: name.localName === "button", at };
+  };
+  const { objects } = waysideViewer.view.state.frame;
+  const pixels = objects.map(({ place_m }) => waysideViewer.pixelOfPlace(place_m));
+  return { names: names.map(box), pixels };
+})()`;
+
+/** Names of all bodies are shown, no two names overlap, and those of lanes and of the radar cover no object. */
+export async function namesAreFree(page, where) {
+  await page.value("look.layers()");
+  const { names, pixels } = await page.value(NAMES);
+  const overlap = (a, b) => a[0] < b[2] - 1 && b[0] < a[2] - 1 && a[1] < b[3] - 1 && b[1] < a[3] - 1;
+  const isCovered = ([x, y]) =>
+    names.some(({ isButton, at }) => !isButton && overlap(at, [x - 2, y - 2, x + 2, y + 2]));
+  const areApart = names.every(({ at }, i) => names.slice(0, i).every((other) => !overlap(at, other.at)));
+  const bodies = await page.value("waysideViewer.view.state.frame.bodies.length");
+  const isEach = names.filter(({ isButton }) => isButton).length === bodies;
+  holds(`writes the name of every body on ${where}, and none over another`, isEach && areApart, names);
+  const areFree = pixels.length > 0 && !pixels.some(isCovered);
+  holds(`covers no object on ${where} by the name of a lane`, areFree, [names, pixels]);
+}
+
 export async function heightsAreTold(page) {
   const assumed = await page.value("waysideViewer.view.state.frame.assumed_height_m");
   const words = await page.value(TEXT("told"));
@@ -81,7 +110,8 @@ export async function layersAreToggled(page) {
     const drawn = await page.value(`look.moved(bare, look.space(), ${marks}.map(look.mark))`);
     await tick(page, name);
     const left = await page.value(`look.moved(bare, look.space(), []).all`);
-    holds(`draws ${name} in their colours, if they are asked for`, drawn.towards > 20 && left === 0, [drawn, left]);
+    const isToggled = drawn.towards > 20 && left === 0;
+    holds(`draws ${name} in their colours, if they are asked for`, isToggled, [drawn, left]);
   }
   for (const name of ticked) await tick(page, name);
 }

@@ -1,5 +1,5 @@
-// Light and dark: colours of background and words, and their contrast (WCAG 2.2, 1.4.3 and 1.4.11), in the page
-// and in what its view draws.
+// Light and dark: colours of background and words, and their contrast (WCAG 2.2, 1.4.3 and 1.4.11), in the
+// page and in what its view draws.
 
 import { pause } from "./chromium.mjs";
 import { openView, settled } from "./looks.mjs";
@@ -60,9 +60,11 @@ const ALL_WORDS = `(() => {${COLOUR}
   };
   const hasWords = (element) => [...element.childNodes].some((node) =>
     node.nodeType === Node.TEXT_NODE && node.textContent.trim());
-  const isShown = (element) => element.checkVisibility({ visibilityProperty: true }) &&
-    element.getClientRects().length > 0 && !element.matches("script, style, noscript, title, option, text[aria-hidden]");
-  const told = [...document.body.querySelectorAll("*")].filter((e) => hasWords(e) && isShown(e)).map((element) => {
+  const silent = "script, style, noscript, title, option, text[aria-hidden]";
+  const isShown = (element) => !element.matches(silent) && element.getClientRects().length > 0 &&
+    element.checkVisibility({ visibilityProperty: true });
+  const all = [...document.body.querySelectorAll("*")];
+  const told = all.filter((element) => hasWords(element) && isShown(element)).map((element) => {
     const own = rgba(element.ownerSVGElement ? style(element).fill : style(element).color);
     const least = Math.min(...behind(element).map((ground) => contrast(over(own, ground), ground)));
     return { words: element.textContent.trim().slice(0, 40), tag: element.localName, least };
@@ -76,8 +78,8 @@ const ALL_WORDS = `(() => {${COLOUR}
   };
 })()`;
 
-// Axes of the canvases: their paper, and the most contrast left of and below what they frame, which is that of
-// their numbers. The picture: its sky is paper. Legends: they have the colours of what is drawn.
+// Axes of the canvases: their paper, and the most contrast left of and below what they frame, which is that
+// of their numbers. The picture: its sky is paper. Legends: they have the colours of what is drawn.
 const DRAWN = `(() => {${COLOUR}
   const paper = rgba(getComputedStyle(document.body).backgroundColor).slice(0, 3);
   const isPaper = (pixel) => [0, 1, 2].every((c) => pixel[c] === paper[c]);

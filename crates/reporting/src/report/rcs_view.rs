@@ -285,7 +285,7 @@ fn facets(part: &Contribution) -> String {
 
 fn controls() -> Markup {
     let layers = [("body", "body"), ("rays", "sequences")];
-    let places = [("side", "from aside"), ("radar", "from the radar"), ("above", "from above")];
+    let places = [("side", "from the side"), ("radar", "from the radar"), ("above", "from above")];
     html! {
         div.viewer-controls {
             label { "down to " input #viewer-level type="range" min="-40" max="0" value="-20" step="1";

@@ -18,10 +18,12 @@ function fillPanel(panel, state, letGo) {
   button.type = "button";
   button.addEventListener("click", letGo);
   const target = state.frame.targets.find(({ id }) => id === body.id);
-  if (target) tellOfClass(panel, target);
-  if (target) tellOfPlace(panel, target, heightOf(state));
+  if (target) {
+    tellOfClass(panel, target);
+    tellOfOwnError(panel, target, body);
+    tellOfPlace(panel, target, heightOf(state));
+  }
   if (state.frame.paths) tellOfPaths(panel, state);
-  if (target) tellOfOwnError(panel, target, body);
   tellOfErrors(panel, state);
 }
 
@@ -43,11 +45,15 @@ function rowsInto(panel, caption, head, rows) {
 
 function tellOfClass(panel, target) {
   const { probabilities, track_probabilities: byTrack } = target;
-  const rows = CLASSES.map((name) => [name, told(probabilities[name], 3), told(byTrack?.[name], 3)]);
+  const rows = CLASSES.map((name) => [
+    `probability of ${name}`,
+    told(probabilities[name], 3),
+    told(byTrack?.[name], 3),
+  ]);
   const table = rowsInto(
     panel,
     "Class",
-    ["probability", "frame", "track"],
+    ["", "frame", "track"],
     [
       ["true", target.class ?? "–", ""],
       ["predicted", target.predicted_class ?? "–", target.track_class ?? "–"],

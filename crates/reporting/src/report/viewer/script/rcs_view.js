@@ -190,11 +190,10 @@ function standBefore(view, place) {
     radar: [ahead, Math.min(STEEPEST_RAD, Math.asin(direction[2]))],
     above: [ahead, STEEPEST_RAD],
   }[place];
-  Object.assign(camera, { at, azimuth, elevation, distance: 5 });
+  Object.assign(camera, { at, azimuth, elevation });
   const { clientWidth, clientHeight } = part("space-place");
   const aspect = clientWidth / Math.max(1, clientHeight);
-  while (camera.distance < camera.farthest && !corners.every((p) => isWellSeen(camera, aspect, p)))
-    camera.distance *= 1.05;
+  standBack(camera, aspect, corners);
   redraw(view);
 }
 

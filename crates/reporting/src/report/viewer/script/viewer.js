@@ -96,8 +96,9 @@ function choose(view, index) {
 
 function stand(view, place) {
   const { page, state } = view;
-  const near = state.frame.bodies.map((body) => body.place_m);
-  const { radar } = page.surroundings;
+  const { radar, meshes } = page.surroundings;
+  const bodies = state.frame.bodies.flatMap((body) => cornersOf(body, meshes));
+  const near = [...bodies, ...state.frame.objects.map(({ place_m }) => place_m)];
   const within = near.filter(
     (p) => Math.hypot(...subtract(p, radar.position_m)) <= 1.2 * radar.range_max_m,
   );
