@@ -1,13 +1,16 @@
 //! Interactive view of the body of an `rcs` table: facets by their contributions at one aspect, the strongest
-//! facet sequences as rays, level over azimuth. One file that opens from disk, like the report.
+//! facet sequences as rays, level over azimuth. One file that opens from disk, like the report; the table's
+//! drawings and strongest sequences stand for the view on paper and where no script runs.
 
-use crate::report::page::sheet;
+use crate::report::page::{figure, sheet};
+use crate::report::tables::{rounded, scrolled};
 use crate::report::viewer::packed::Packed;
 use crate::report::viewer::page_script::{json, scripts};
 use artifact::scene::Mesh;
 use artifact::units::db_from_power;
 use bart_rcs::Contribution;
 use maud::{Markup, html};
+use plotting::form::Figure;
 use serde::Serialize;
 
 /// A table's body, with its scattering at one aspect.
@@ -30,6 +33,8 @@ pub struct RcsView<'a> {
     pub level_dbsm: f64,
     /// Azimuths at the same elevation in degrees, and their levels at the same frequency.
     pub cut: Vec<[f64; 2]>,
+    /// Drawings of the table, each with its caption.
+    pub drawings: Vec<(String, Figure)>,
 }
 
 /// Longest extent of the body in the units of the page, equal for bodies of millimetres and of metres.
@@ -40,6 +45,10 @@ const SPAN_DB: f64 = 40.0;
 const FACETS: usize = 200_000;
 /// Number of sequences in the page.
 const SEQUENCES: usize = 5_000;
+/// Number of sequences in the page's table.
+const SEQUENCES_TOLD: usize = 12;
+/// Number of facets of a sequence in that table; a longer one ends with an ellipsis.
+const FACETS_TOLD: usize = 12;
 /// Length of a ray's first and last leg.
 const LEG: f64 = 4.0;
 
@@ -206,7 +215,7 @@ fn level(power: f64, strongest: f64) -> u8 {
 }
 
 /// Instructions for reading and moving the view.
-const HOW: &str = "facets from −40 to 0 dB of the strongest sequence, by the powers of all sequences that they \
+const HOW: &str = "Facets from −40 to 0 dB of the strongest sequence, by the powers of all sequences that they \
                    take part in, without their phases. Lines are sequences, coloured by their bounces. Drag \
                    turns the view, with the right button or Shift moves it; the wheel comes nearer once the \
                    picture was clicked. A click on a facet lists its sequences.";
@@ -224,7 +233,7 @@ fn content(view: &RcsView<'_>, numbers: &str) -> Markup {
     html! {
         p.lead { (view.aspect) ": " (format!("{:.1} dBsm", view.level_dbsm).replace('-', "−")) " from "
             (view.parts.len()) " facet sequences." }
-        noscript { p.made { "Scripts are disabled; the pictures beside this page show the same table." } }
+        noscript { p.made { "Scripts are disabled; the drawings and the table below show the same levels." } }
         section #viewer hidden {
             (controls())
             div.viewer-scene {
@@ -239,13 +248,44 @@ fn content(view: &RcsView<'_>, numbers: &str) -> Markup {
                 div.viewer-maps { div { canvas #viewer-cut role="img" aria-label="Level over azimuth" {} } }
             }
         }
+        section {
+            h2 { "The table" }
+            @for (caption, drawing) in &view.drawings { (figure(caption, drawing)) }
+            h3 { (STRONGEST) }
+            (strongest_sequences(view.parts))
+        }
         (scripts(numbers, &SCRIPT))
     }
 }
 
+/// Heading of the sequences' table.
+const STRONGEST: &str = "Strongest facet sequences";
+
+/// Table of the strongest sequences, with the numbers of their facets in the mesh.
+fn strongest_sequences(parts: &[Contribution]) -> Markup {
+    let shown = &parts[..parts.len().min(SEQUENCES_TOLD)];
+    let table = html! { table {
+        thead { tr { th { "rank" } th { "bounces" } th { "level, dBsm" } th.words { "facets" } } }
+        tbody {
+            @for (rank, part) in (1..).zip(shown) {
+                tr { td { (rank) } td { (part.points_m.len()) }
+                    td { (rounded(db_from_power(part.amplitude_m.norm_sqr()), 1)) } td.words { (facets(part)) } }
+            }
+        }
+    } };
+    scrolled(STRONGEST, table)
+}
+
+/// Numbers of a sequence's facets, in words.
+fn facets(part: &Contribution) -> String {
+    let numbers: Vec<String> = part.triangles.iter().take(FACETS_TOLD).map(u32::to_string).collect();
+    let rest = if part.triangles.len() > FACETS_TOLD { ", …" } else { "" };
+    numbers.join(", ") + rest
+}
+
 fn controls() -> Markup {
     let layers = [("body", "body"), ("rays", "sequences")];
-    let places = [("side", "from aside"), ("radar", "from the radar"), ("above", "from above")];
+    let places = [("side", "from the side"), ("radar", "from the radar"), ("above", "from above")];
     html! {
         div.viewer-controls {
             label { "down to " input #viewer-level type="range" min="-40" max="0" value="-20" step="1";
@@ -267,6 +307,7 @@ mod tests {
     use crate::report::viewer::page_script::reads_as_the_source_does;
     use glam::DVec3;
     use num_complex::Complex64;
+    use plotting::svg::Svg;
 
     fn plate() -> Mesh {
         let vertices_m = vec![[0.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 1.0], [0.0, 2.0, 1.0]];
@@ -307,6 +348,7 @@ mod tests {
             azimuth_deg: 0.0,
             level_dbsm: 6.0,
             cut: vec![[0.0, f64::NEG_INFINITY]],
+            drawings: vec![("Its caption.".into(), Figure::of(|form| Svg::new("cut", form.width_px(), 9.0)))],
         }
     }
 
@@ -327,5 +369,18 @@ mod tests {
         let page = page(&view).unwrap();
         assert_eq!(page.matches("</script>").count(), 2);
         assert!(!page.contains("viewer-cut\" role"), "one azimuth has no cut");
+    }
+
+    #[test]
+    fn drawings_and_sequences_stand_outside_of_the_view_which_is_hidden_without_scripts() {
+        let (mesh, mut parts) = (plate(), vec![part(1, 2.0); 20]);
+        parts[0].triangles = (0..30).map(|number| number % 2).collect();
+        let page = page(&view(&mesh, &parts)).unwrap();
+        let behind = page.split("<h2>The table</h2>").nth(1).unwrap();
+        let beside = behind.split("<script").next().unwrap();
+        assert_eq!((beside.matches("<svg").count(), beside.matches("Its caption.").count()), (2, 1));
+        assert_eq!(beside.matches("<tr>").count(), 1 + SEQUENCES_TOLD);
+        assert!(beside.contains(">0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, …<") && beside.contains(">6.0<"));
+        assert!(page.contains("<noscript>"));
     }
 }

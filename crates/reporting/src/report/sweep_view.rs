@@ -135,6 +135,7 @@ pub fn section(view: &SweepView) -> Markup {
     let Some(page) = view.page() else { return html! {} };
     let Ok(numbers) = json(&page) else { return html! {} };
     html! {
+        noscript { p.made { "Scripts are disabled; the drawing and the tables below show the same designs." } }
         section #viewer hidden {
             h2 { "Walk around" }
             (controls(view))
@@ -254,7 +255,7 @@ impl StandingRadar {
         let [azimuth, elevation] = [radar.boresight_az_rad, radar.boresight_el_rad]
             .map(|angle| format!("{:.1}°", angle.to_degrees()).replace('-', "−"));
         let stands =
-            format!("stands at x {x}, y {y}, z {z} m; boresight: azimuth {azimuth}, elevation {elevation}");
+            format!("Stands at x {x}, y {y}, z {z} m; boresight: azimuth {azimuth}, elevation {elevation}.");
         Self { view: RadarView::of(radar), stands }
     }
 }

@@ -258,6 +258,28 @@ fn receding_is_above_in_the_exported_map() {
 }
 
 #[test]
+fn the_view_of_a_table_holds_drawings_of_its_axes_in_both_forms_and_its_strongest_sequences() {
+    let place = Workplace::new();
+    for (axes, titles) in [
+        (
+            "--freq-ghz 76:78:3 --az-deg 0:2:3",
+            &["Radar cross section over azimuth", "Radar cross section over frequency"][..],
+        ),
+        ("--freq-ghz 77 --az-deg 0", &[][..]),
+    ] {
+        place.run(&format!("rcs corner.obj {axes} --pictures --bounces 1 --out S.npy"));
+        let page = String::from_utf8(place.bytes("S-view.html")).unwrap();
+        let drawings = drawings(&page);
+        assert_eq!(drawings.len(), 2 * titles.len(), "a form for a page, one for a telephone");
+        for title in titles {
+            let named = |drawing: &&&str| drawing.contains(&format!("aria-label=\"{title}\""));
+            assert_eq!(drawings.iter().filter(named).count(), 2, "{title}");
+        }
+        assert!(page.contains("<noscript>") && page.matches("<table>").count() == 1);
+    }
+}
+
+#[test]
 fn pictures_of_a_table_say_on_which_axes_the_body_lies_upon_itself() {
     let place = Workplace::new();
     // 0.5 m deep and, at 0.01 rad steps, shown for λ/2Δφ = 0.19 m; c/2Δf is 0.15 m.

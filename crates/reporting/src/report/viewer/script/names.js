@@ -23,20 +23,35 @@ function makeNames(view) {
 }
 
 /** Heights of a name by which it may move to lie on no other. */
-const SHIFTS = [0, -1, -2, 1];
+const SHIFTS = [0, -1, -2, 1, -3, 2];
 
-/** Puts names where they belong, or a little above; one for which there is no room is left out. */
+/** Half a side of the square about an object's ring, pixels. */
+const RING = 11;
+
+/**
+ * Puts names where they belong, or a little above; one for which there is no room is left out. Names that
+ * cannot be clicked, as those of lanes, leave objects free.
+ */
 function placeNames({ names, space, state }) {
   const taken = [];
+  const rings = ringsOf(space, state);
   for (const { element, at } of names) {
     const pixel = state.layers.names ? onScreen(space, at) : null;
     const boxes = pixel ? SHIFTS.map((shift) => boxOfName(element, pixel, shift)) : [];
-    const box = boxes.find((candidate) => isFree(candidate, taken, space.canvas));
+    const kept = element.localName === "button" ? taken : [...taken, ...rings];
+    const box = boxes.find((candidate) => isFree(candidate, kept, space.canvas));
     element.hidden = !box;
     if (!box) continue;
     taken.push(box);
     element.style.transform = `translate(${box[0]}px, ${box[1]}px)`;
   }
+}
+
+/** Squares of the pixels of objects, as far as they are shown. */
+function ringsOf(space, { layers, frame }) {
+  const objects = layers.objects ? frame.objects : [];
+  const pixels = objects.map(({ place_m }) => onScreen(space, place_m)).filter(Boolean);
+  return pixels.map(([x, y]) => [x - RING, y - RING, x + RING, y + RING]);
 }
 
 /** Left, top, right and bottom of a name that stands on a pixel, so many of its heights further down. */

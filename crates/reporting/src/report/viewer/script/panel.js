@@ -18,8 +18,11 @@ function fillPanel(panel, state, letGo) {
   button.type = "button";
   button.addEventListener("click", letGo);
   const target = state.frame.targets.find(({ id }) => id === body.id);
-  if (target) tellOfClass(panel, target);
-  if (target) tellOfPlace(panel, target, heightOf(state));
+  if (target) {
+    tellOfClass(panel, target);
+    tellOfOwnError(panel, target, body);
+    tellOfPlace(panel, target, heightOf(state));
+  }
   if (state.frame.paths) tellOfPaths(panel, state);
   tellOfErrors(panel, state);
 }
@@ -42,11 +45,15 @@ function rowsInto(panel, caption, head, rows) {
 
 function tellOfClass(panel, target) {
   const { probabilities, track_probabilities: byTrack } = target;
-  const rows = CLASSES.map((name) => [name, told(probabilities[name], 3), told(byTrack?.[name], 3)]);
+  const rows = CLASSES.map((name) => [
+    `probability of ${name}`,
+    told(probabilities[name], 3),
+    told(byTrack?.[name], 3),
+  ]);
   const table = rowsInto(
     panel,
     "Class",
-    ["probability", "frame", "track"],
+    ["", "frame", "track"],
     [
       ["true", target.class ?? "–", ""],
       ["predicted", target.predicted_class ?? "–", target.track_class ?? "–"],
@@ -85,6 +92,7 @@ function tellOfPlace(panel, { truth, estimate, found }, height) {
       estimate && ["SNR, dB", "", told(estimate.snr_db, 1)],
     ],
   );
+  put(panel, "p", "True x, y and z are those of the body's origin; range and velocity are the echo's.");
 }
 
 function tellOfPaths(panel, state) {
@@ -102,6 +110,32 @@ function tellOfPaths(panel, state) {
     "p",
     `All its paths carry ${told(100 * share, 1)} % of the frame's power. Path powers are added here ` +
       "without their phases.",
+  );
+}
+
+/** The measured numerical error of the vehicle's own echo, and what it does to the estimates. */
+function tellOfOwnError(panel, { error }, { mesh }) {
+  if (!error) {
+    const why = mesh === null ? "a point target's echo is exact" : "it was not measured";
+    put(panel, "p", `No numerical error of its own echo: ${why}.`);
+    return;
+  }
+  rowsInto(
+    panel,
+    "This vehicle's own error",
+    [],
+    [
+      ["echo, dB", told(error.echo_db, 1)],
+      ["σ of range, m", told(error.range_m, 3)],
+      ["σ of velocity, m/s", told(error.radial_velocity_mps, 4)],
+      ["σ across, m", told(error.across_m, 3)],
+    ],
+  );
+  put(
+    panel,
+    "p",
+    "Numerical error relative to this vehicle's own echo, and the standard errors that it causes in the " +
+      "estimates.",
   );
 }
 

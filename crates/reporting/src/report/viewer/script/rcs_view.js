@@ -167,8 +167,7 @@ function tellOfBounces({ page, state }) {
   const shown = [...page.rays.orders.slice(0, state.shown)];
   for (const order of [...new Set(shown)].sort()) {
     const label = put(place, "span");
-    const colour = Math.min(5, order);
-    put(label, "i").style.color = cssColour(state.colours.marks.slice(4 * colour, 4 * colour + 3));
+    put(label, "i", "", MARKS[Math.min(5, order)]);
     const count = shown.filter((own) => own === order).length;
     label.append(`${counted(order, "bounce", "bounces")}: ${count}`);
   }
@@ -191,11 +190,10 @@ function standBefore(view, place) {
     radar: [ahead, Math.min(STEEPEST_RAD, Math.asin(direction[2]))],
     above: [ahead, STEEPEST_RAD],
   }[place];
-  Object.assign(camera, { at, azimuth, elevation, distance: 5 });
+  Object.assign(camera, { at, azimuth, elevation });
   const { clientWidth, clientHeight } = part("space-place");
   const aspect = clientWidth / Math.max(1, clientHeight);
-  while (camera.distance < camera.farthest && !corners.every((p) => isWellSeen(camera, aspect, p)))
-    camera.distance *= 1.05;
+  standBack(camera, aspect, corners);
   redraw(view);
 }
 
@@ -212,8 +210,9 @@ function redraw(view) {
 function drawAzimuthCut({ page, state }) {
   const { azimuths_deg: azimuths, levels_dbsm: levels } = page.cut;
   if (azimuths.length < 2) return;
-  const highest = Math.max(...levels);
-  const y = { from: 10 * Math.floor((highest - 60) / 10), to: 10 * Math.ceil((highest + 1) / 10) };
+  const [lowest, highest] = [Math.min(...levels), Math.max(...levels)];
+  const from = 10 * Math.floor(Math.max(highest - 60, lowest - 1) / 10);
+  const y = { from, to: 10 * Math.ceil((highest + 1) / 10) };
   const sheet = sheetOf(part("cut"), { from: azimuths[0], to: azimuths.at(-1) }, y);
   clearSheet(sheet, state.colours);
   const points = azimuths.map((azimuth, i) => [azimuth, levels[i]]);

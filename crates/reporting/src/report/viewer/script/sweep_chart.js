@@ -90,7 +90,8 @@ function verdictOn(page, index) {
     [design.is_on_front, "on the Pareto front: no design is better at the same or lower cost"],
   ];
   const said = words.filter(([holds]) => holds).map(([, text]) => text);
-  return said.length ? `${said.join("; ")}.` : "Another design is at least as good at no higher cost.";
+  if (said.length) return `${said[0][0].toUpperCase()}${said.join("; ").slice(1)}.`;
+  return "Another design is at least as good at no higher cost.";
 }
 
 /** A mean with half the width of its interval. */

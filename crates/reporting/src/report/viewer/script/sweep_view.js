@@ -138,7 +138,9 @@ function drawStudy({ space, names, state }) {
   if (state.layers.beam) drawBeam(space, look, beamOf(space, page.designs[state.chosen].radar));
   gl.enable(gl.DEPTH_TEST);
   if (state.layers.bodies) drawBodies(space, look, page.situations[state.situation].bodies, () => false);
+  gl.depthMask(false); // poles of designs in one place hide no part of each other
   drawMarks(graphics, space.poles, { ...look, form: FORM.line });
+  gl.depthMask(true);
   gl.disable(gl.DEPTH_TEST);
   if (state.layers.designs) drawDots(space, look);
   placeNames({ names, space, state });
@@ -253,7 +255,8 @@ function standBy(view, place) {
   const { page, state } = view;
   const radar = page.radars[page.designs[state.chosen].radar];
   const poles = page.radars.flatMap(({ position_m: at }) => [at, [at[0], at[1], 0]]);
-  const bodies = page.situations[state.situation].bodies.map((body) => body.place_m);
+  const { meshes } = page.surroundings;
+  const bodies = page.situations[state.situation].bodies.flatMap((body) => cornersOf(body, meshes));
   const { clientWidth, clientHeight } = part("space-place");
   standAt(state.camera, place, radar, [...poles, ...bodies], clientWidth / Math.max(1, clientHeight));
   redraw(view);

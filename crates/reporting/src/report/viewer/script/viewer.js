@@ -48,6 +48,7 @@ function handle(view) {
     draw: () => drawAll(view),
     choose: (index) => choose(view, index),
     pixelOf: (index) => onScreen(space, middleOf(state.frame.bodies[index])),
+    pixelOfPlace: (place) => onScreen(space, place),
     pixelOnMap: (range, velocity) =>
       pixelOnMap(part("map"), state.frame.map, snapped(state.frame.map, { range, velocity })),
   };
@@ -95,8 +96,9 @@ function choose(view, index) {
 
 function stand(view, place) {
   const { page, state } = view;
-  const near = state.frame.bodies.map((body) => body.place_m);
-  const { radar } = page.surroundings;
+  const { radar, meshes } = page.surroundings;
+  const bodies = state.frame.bodies.flatMap((body) => cornersOf(body, meshes));
+  const near = [...bodies, ...state.frame.objects.map(({ place_m }) => place_m)];
   const within = near.filter(
     (p) => Math.hypot(...subtract(p, radar.position_m)) <= 1.2 * radar.range_max_m,
   );

@@ -14,7 +14,7 @@ use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::host::progress;
 use plotting::colours::heat;
-use plotting::form::Form;
+use plotting::form::{Figure, Form};
 use plotting::heat_map::HeatMap;
 use plotting::lines::{Line, LinePlot, Scale};
 use plotting::marks::{Legend, Mark};
@@ -36,8 +36,7 @@ pub(super) fn write(
     samplings: &Samplings,
     amplitude_m: &[Complex64],
 ) -> Result<(), Failure> {
-    let shape = (request.frequency_hz.len(), request.elevation_rad.len(), request.azimuth_rad.len());
-    let table = ArrayView3::from_shape(shape, amplitude_m).map_err(Failure::refused)?;
+    let table = table_of(request, amplitude_m)?;
     for name in drawn(request) {
         let drawing = match name {
             POLAR => polar(request, &table).draw(),
@@ -49,6 +48,15 @@ pub(super) fn write(
         write_png(&beside(out, name), &drawing)?;
     }
     Ok(())
+}
+
+/// Values of S by frequency, elevation and azimuth.
+fn table_of<'a>(
+    request: &RcsRequest,
+    amplitude_m: &'a [Complex64],
+) -> Result<ArrayView3<'a, Complex64>, Failure> {
+    let shape = (request.frequency_hz.len(), request.elevation_rad.len(), request.azimuth_rad.len());
+    ArrayView3::from_shape(shape, amplitude_m).map_err(Failure::refused)
 }
 
 /// Names of the pictures for which the table's axes have enough values.
@@ -97,11 +105,30 @@ pub(super) fn write_facets(
         parts.iter().take(LINES).map(|c| ray(request, aspect, c, strongest)).collect();
     let bytes = painted_glb(&Painted { mesh, triangle_colours: &colours, lines: &lines });
     files::write_file(&beside(out, FACETS), &bytes)?;
-    let view = view(out, mesh, request, amplitude_m, &parts);
+    let drawings = drawings(request, &table_of(request, amplitude_m)?);
+    let view = RcsView { drawings, ..view(out, mesh, request, amplitude_m, &parts) };
     let page = rcs_view::page(&view).map_err(Failure::refused)?;
     files::write_file(&beside(out, VIEW), page.as_bytes())
 }
 
+/// Drawings of a table's cut at the elevation of its middle aspect, with their captions; an axis of one value
+/// has none.
+fn drawings(request: &RcsRequest, table: &ArrayView3<Complex64>) -> Vec<(String, Figure)> {
+    let elevation = request.elevation_rad.len() / 2;
+    let at = format!("elevation {:.2}°", request.elevation_rad[elevation].to_degrees()).replace('-', "−");
+    let cut = table.slice(s![.., elevation.., ..]);
+    let [azimuth, frequency] = [over_azimuth(request, &cut), over_frequency(request, &cut)];
+    let all = [
+        ("azimuth", request.azimuth_rad.len(), azimuth),
+        ("frequency", request.frequency_hz.len(), frequency),
+    ];
+    let drawn = all.into_iter().filter(|(_, values, _)| *values > 1);
+    drawn
+        .map(|(axis, _, plot)| (format!("Level over {axis}, {at}."), Figure::of(|form| plot.draw(form))))
+        .collect()
+}
+
+/// The view without its drawings.
 fn view<'a>(
     out: &Path,
     mesh: &'a Mesh,
@@ -123,6 +150,7 @@ fn view<'a>(
         azimuth_deg: radar.azimuth_rad.to_degrees(),
         level_dbsm: amplitude_m.get(aspect).map_or(f64::NAN, dbsm),
         cut: cut.collect(),
+        drawings: vec![],
     }
 }
 

@@ -66,18 +66,41 @@ function standAt(camera, place, radar, places, aspect) {
     return;
   }
   const isAbove = place === "above";
-  const azimuth = radar.boresight_az_rad - (isAbove ? 0 : 1.1);
-  Object.assign(camera, { at, azimuth, elevation: isAbove ? STEEPEST_RAD : 0.36, distance: 5 });
-  while (camera.distance < camera.farthest && !places.every((p) => isWellSeen(camera, aspect, p))) {
-    camera.distance *= 1.05;
+  const azimuth = radar.boresight_az_rad - (isAbove ? 0 : 1);
+  Object.assign(camera, { at, azimuth, elevation: isAbove ? STEEPEST_RAD : 0.5 });
+  for (let i = 0; i < 4; i++) {
+    standBack(camera, aspect, places);
+    centre(camera, aspect, places);
   }
+  standBack(camera, aspect, places);
+}
+
+/** As near as all places are seen from. */
+function standBack(camera, aspect, places) {
+  camera.distance = 5;
+  while (camera.distance < camera.farthest && !places.every((p) => isWellSeen(camera, aspect, p)))
+    camera.distance *= 1.05;
+}
+
+/** Moves along the ground until the places lie about the picture's middle. */
+function centre(camera, aspect, places) {
+  const seen = places.map((p) => inPicture(camera, aspect, p));
+  const [x, y] = [0, 1].map((axis) => middle(seen.map((at) => at[axis])));
+  const half = Math.tan(HEIGHT_RAD / 2);
+  walk(camera, x * aspect * half, (y * half) / Math.sin(camera.elevation));
+}
+
+/** Where in the picture a place lies, −1 to 1 to the right and up, and its depth before the eye. */
+function inPicture(camera, aspect, place) {
+  const clip = clipFromWorld(camera, aspect);
+  const along = (row) => dot([clip[row], clip[4 + row], clip[8 + row]], place) + clip[12 + row];
+  return [along(0) / along(3), along(1) / along(3), along(3)];
 }
 
 /** Whether a place lies within the picture, with some room to its edges. */
 function isWellSeen(camera, aspect, place) {
-  const clip = clipFromWorld(camera, aspect);
-  const along = (row) => dot([clip[row], clip[4 + row], clip[8 + row]], place) + clip[12 + row];
-  return along(3) > 0 && Math.abs(along(0)) < 0.86 * along(3) && Math.abs(along(1)) < 0.8 * along(3);
+  const [x, y, depth] = inPicture(camera, aspect, place);
+  return depth > 0 && Math.abs(x) < 0.86 && Math.abs(y) < 0.8;
 }
 
 function fromRadar(radar, distance) {

@@ -1,6 +1,6 @@
 // Colours of the page's own drawings, read from its style, so that light and dark are one thing.
 
-/** Colours of marks by their index: bounce orders 0 to 5 first. */
+/** Colours of marks by their index, as many as the program of marks takes: bounce orders 0 to 5 first. */
 const MARKS = [
   "c6",
   "c0",
@@ -14,6 +14,7 @@ const MARKS = [
   "truck",
   "motorcycle",
   "lanes",
+  "c5",
 ];
 const MARK = Object.fromEntries(MARKS.map((name, index) => [name, index]));
 const ORDER_NAMES = ["point target", "1 bounce", "2 bounces", "3 bounces", "4 bounces", "5 bounces"];

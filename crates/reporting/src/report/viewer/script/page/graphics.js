@@ -28,7 +28,7 @@ void main() {
 // that the map shows alike, a whole repeat apart, lie in one cell.
 const MARK_VERTEX = `#version 300 es
 uniform mat4 clip_from_world;
-uniform vec4 colours[12];
+uniform vec4 colours[13];
 uniform vec4 cursor;
 uniform vec2 repeats;
 uniform float chosen, faint, opacity, pixels;

@@ -119,14 +119,18 @@ function boxCorners([low, high]) {
   );
 }
 
+/** Corners of a body's box in the world; of a point target its place alone. */
+function cornersOf({ mesh, place_m, yaw_rad }, meshes) {
+  if (mesh === null) return [place_m];
+  return boxCorners(meshes[mesh].box_m).map((corner) => inWorld(corner, place_m, yaw_rad));
+}
+
 /** Outlines of the true boxes of a frame's bodies. */
 function boxLines(frame, meshes) {
   const out = [];
   frame.bodies.forEach((body, index) => {
     if (body.mesh === null) return;
-    const corners = boxCorners(meshes[body.mesh].box_m).map((c) =>
-      inWorld(c, body.place_m, body.yaw_rad),
-    );
+    const corners = cornersOf(body, meshes);
     for (const [a, b] of EDGES)
       addLine(out, corners[a], corners[b], { colour: classMark(body), body: index });
   });
