@@ -53,12 +53,22 @@ view_range_m = 60.0
 view_nearest_m = 12.0
 """
 
-# Elements in rows too, falling off the boresight, of the other polarization; wheels that turn.
+# Elements in rows too, falling off the boresight, of the other polarization.
 OTHER_ARRAY = """[radar.array]
 preset = "6x8"
 pattern = "cosine"
 cosine_exponent = 1.5
 polarization = "hh"
+"""
+# A stone in the tyre of a wheel that brakes.
+STONE = """[[target]]
+kind = "point"
+id = "stone"
+rcs_m2 = 0.001
+position_m = [3.0, 25.0, 0.33]
+velocity_mps = [1.0, -8.0, 0.0]
+acceleration_mps2 = [0.0, 3.0, 0.0]
+wheel_radius_m = 0.33
 """
 
 
@@ -255,7 +265,7 @@ def rows_run(program):
     """The same traffic by a radar with rows of elements."""
     scene = HEAD.replace("seed = 1", "seed = 1\nframes = 2").replace("[noise]", OTHER_ARRAY + "[noise]")
     scene = scene.replace("[traffic]", 'wheels = "turning"\n[traffic]')
-    Path("rows.toml").write_text(scene + 'osi = "truth.osi"\n')
+    Path("rows.toml").write_text(scene + 'osi = "truth.osi"\n' + STONE)
     wayside(program, "run", "rows.toml", "--out", "rows-run", "--no-cache")
 
 
@@ -311,8 +321,11 @@ def reflections(program):
         count = sum(alike(expected.reflections(number, whole["header"], frame), message, "reflections")
                     for frame, message in zip(whole["frames"], found, strict=True))
         paths = [path for frame in whole["frames"] for path in frame["paths"]]
-        rims = sum(path["curve"]["rim"] is not None for path in paths)
-        told.append(f"{len(paths)} reflections of {len(found)} frames, {rims} on wheels, {count} values")
+        on_wheels = [path for path in paths if path["curve"]["rim"] is not None]
+        same(2 if run == "rows-run" else 0, len(on_wheels), "reflections on a wheel")
+        parts = sum(path["curve"]["array_span"] is not None for path in paths)
+        told.append(f"{len(paths)} reflections of {len(found)} frames, {parts} of parts of the array, "
+                    f"{count} values")
     return "; ".join(told)
 
 
@@ -465,8 +478,8 @@ def driven(program, network, edges, name):
     if count == 0 or points == 0:
         sys.exit(f"{name}: nothing is in view, or nothing was detected")
     seconds, frames = time.monotonic() - begun, len(summary["frames"])
-    return (f"SUMO {version('eclipse-sumo')} drove {inserted} vehicles in 30 s; {count} are in view of {frames} "
-            f"frames, {points} points, {len(summary['lanes'])} lanes; {seconds:.1f} s in all")
+    return (f"SUMO {version('eclipse-sumo')} drove {inserted} vehicles in 30 s; {count} in view of {frames} "
+            f"frames, {points} points, {len(summary['lanes'])} lanes; {seconds:.1f} s")
 
 
 def plain_network():
@@ -485,7 +498,8 @@ def sumo_alone(program):
 
 def first_edge(network):
     """The edge without a predecessor that has lanes, by its name in the file."""
-    edges = [edge for edge in ElementTree.parse(network).getroot().iter("edge") if edge.get("function") is None]
+    every = ElementTree.parse(network).getroot().iter("edge")
+    edges = [edge for edge in every if edge.get("function") is None]
     return max(edges, key=lambda edge: float(edge.find("lane").get("length"))).get("id")
 
 

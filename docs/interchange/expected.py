@@ -103,10 +103,10 @@ def slope_of(sensor, cube, points, point):
 
 def existence(sensor, snr_db):
     """Probability that a map of noise alone has no cell as strong: the mean power of M channels of noise,
-    each exponential, exceeds ρ where a Poisson variable of mean Mρ is below M."""
+    each exponential, exceeds ρ, of the echo and its noise, where a Poisson variable of mean Mρ is below M."""
     decimal.getcontext().prec = 60
     channels, cells = len(sensor.elements_m), sensor.samples * sensor.chirps
-    mean = decimal.Decimal(channels * ratio(snr_db))
+    mean = decimal.Decimal(channels * (ratio(snr_db) + 1))
     term = total = (-mean).exp()
     for k in range(1, channels):
         term *= mean / k
@@ -115,15 +115,15 @@ def existence(sensor, snr_db):
 
 
 def cross_section_dbsm(sensor, cube, point):
-    """σ of the radar equation: what is over the noise of a cell is P·G²·λ²·σ/((4π)³·R⁴), gathered over all
-    samples, beside the noise k·T·F·f_s that the windows let through."""
+    """σ of the radar equation: the echo in a cell is P·G²·λ²·σ/((4π)³·R⁴), gathered over all samples, beside
+    the noise k·T·F·f_s that the windows let through."""
     radar, noise = cube["radar"], cube["noise"]["Figure"]
     noise_w = BOLTZMANN_J_PER_K * noise["temperature_k"] * ratio(noise["noise_figure_db"])
     noise_w *= radar["waveform"]["sample_rate_hz"] / (sensor.samples * sensor.chirps)
     for name in ["range_window", "doppler_window"]:
         noise_w *= noise_bandwidth_cells(cube["dsp"][name])
     gain = sensor.gain(direction(point["azimuth_rad"], point["elevation_rad"]))
-    received_w = (ratio(point["snr_db"]) - 1) * noise_w
+    received_w = ratio(point["snr_db"]) * noise_w
     power_w = radar["link"]["transmit_power_w"]
     spread = (4 * math.pi) ** 3 * point["range_m"] ** 4 / (gain * sensor.wavelength_m) ** 2
     return 10 * math.log10(received_w * spread / power_w)
@@ -244,9 +244,33 @@ def leg(sensor, path, end, time_s):
 
 def strength_db(sensor, path, lengths_m, ways):
     """Received over transmitted power by the radar equation, with |a|² in place of σ and both ways apart."""
-    if path["curve"]["span"] is not None or path["curve"]["array_span"] is not None:
-        raise NotImplementedError("the check's paths stand for the whole frame and array")
+    if path["curve"]["span"] is not None:
+        raise NotImplementedError("the check's paths stand for the whole frame")
     receive, transmit = ("vh".index(letter) for letter in sensor.radar["array"]["polarization"].lower())
-    a = math.hypot(*path["amplitude_m"][receive][transmit])
+    mean, error = share(sensor, path)
+    a = mean * math.hypot(*path["amplitude_m"][receive][transmit])
     there, back = (sensor.gain(way) / length_m**2 for way, length_m in zip(ways, lengths_m))
-    return 10 * math.log10(there * back * (sensor.wavelength_m * a) ** 2 / (4 * math.pi) ** 3)
+    told_db = 10 * math.log10(there * back * (sensor.wavelength_m * a) ** 2 / (4 * math.pi) ** 3)
+    error_db = -20 * math.log10(1 - error / abs(mean))
+    return About(told_db, 1e-9 + error_db / max(1.0, abs(told_db)))
+
+
+def share(sensor, path):
+    """Mean over all pairs of elements of the polynomial through up to four of the places from which a path
+    was traced, 1 at its own place and 0 at the others; and the error of the program's mean, of 128 samples at
+    even distances: half of a distance for each step from one pair to the next."""
+    span = path["curve"]["array_span"]
+    if span is None:
+        return 1.0, 0.0
+    array = sensor.radar["array"]
+    shares = [share_of_pair(span, dot(tx_m, span["transmit"]) + dot(rx_m, span["receive"]))
+              for tx_m in array["tx_m"] for rx_m in array["rx_m"]]
+    steps = sum(abs(b - a) for a, b in zip(shares, shares[1:]))
+    return sum(shares) / len(shares), steps / (2 * 128)
+
+
+def share_of_pair(span, along_m):
+    at, own = (along_m - span["first_m"]) / span["step_m"], span["place"]
+    first = min(max(math.floor(at) - 1, 0), max(span["places"] - 4, 0))
+    near = range(first, min(first + 4, span["places"]))
+    return math.prod((at - node) / (own - node) for node in near if node != own) if own in near else 0.0

@@ -1,5 +1,5 @@
-//! Points for Foxglove without ROS, in MCAP: `foxglove.PointCloud` in Protocol Buffers, with the definitions of
-//! <https://github.com/foxglove/foxglove-sdk> (MIT) as far as they are written.
+//! Points for Foxglove without ROS, in MCAP: `foxglove.PointCloud` in Protocol Buffers, with the definitions
+//! of <https://github.com/foxglove/foxglove-sdk> (MIT) as far as they are written.
 
 use crate::descriptors::Kind::{Bytes, Double, Fixed32, Int32, Int64, Many, One, Text};
 use crate::descriptors::{Definitions, MessageRow, described};

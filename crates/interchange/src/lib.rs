@@ -17,10 +17,10 @@
 //! ```
 //!
 //! Read the rooms in this order: `descriptors` makes definitions for readers of a file; `osi` defines the
-//! messages as encoded on the wire, `trace` the files; `measured` converts a radar's measurements to a sensor's
-//! own axes, with standard errors; `traffic` reads ground truth, `sensor` writes detections and traced paths,
-//! `ros` points and tracks for ROS 2, `foxglove` points for Foxglove; `parquet_table` writes rows of any kind
-//! as Apache Parquet.
+//! messages as encoded on the wire, `trace` the files; `measured` converts a radar's measurements to a
+//! sensor's own axes, with standard errors; `traffic` reads ground truth, `sensor` writes detections and
+//! traced paths, `ros` points and tracks for ROS 2, `foxglove` points for Foxglove; `parquet_table` writes
+//! rows of any kind as Apache Parquet.
 
 mod descriptors; // definitions of messages for readers of a file
 mod osi; // messages of OSI, field by field

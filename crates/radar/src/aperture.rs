@@ -139,22 +139,6 @@ mod tests {
     }
 
     #[test]
-    fn a_boresight_has_the_same_horizontal_direction_by_azimuth_and_by_yaw() {
-        let at = |azimuth_rad: f64| {
-            let radar =
-                crate::paper::radar([0.0; 3], crate::paper::waveform(64, 16), Preset::OneByOne.elements());
-            Radar { boresight_az_rad: azimuth_rad, ..radar }
-        };
-        for azimuth_rad in [0.0, 0.7, FRAC_PI_2, -2.0] {
-            let (y, x) = boresight_yaw_rad(&at(azimuth_rad)).sin_cos();
-            let [_, ahead, _] = axes(&at(azimuth_rad));
-            let horizontal = horizontal(azimuth_rad);
-            assert_eq!([ahead.x, ahead.y], horizontal);
-            assert!((horizontal[0] - x).hypot(horizontal[1] - y) < 1e-15, "{azimuth_rad}");
-        }
-    }
-
-    #[test]
     fn the_virtual_rows_of_the_presets_are_filled_or_golomb() {
         let virtual_places = |preset: Preset, axis: usize| -> Vec<i64> {
             let [tx, rx] = preset.elements();

@@ -9,20 +9,20 @@ use artifact::radar::{Multiplexing, Sampling};
 use artifact::settings::Noise;
 use artifact::units::{BOLTZMANN_J_PER_K, db_from_power, power_from_db};
 
-/// Cross section in dBsm: σ = (ρ − 1)·P·B·R⁴/(N_sN_c·(l·g²)²), with ρ the power over noise in a cell of one
+/// Cross section in dBsm: σ = ρ·P·B·R⁴/(N_sN_c·(l·g²)²), with ρ the signal-to-noise ratio in a cell of one
 /// channel, P = k·T·F·f_s, B the windows' noise bandwidths in cells, l the link amplitude, g the element
 /// pattern. `None` if the noise is not thermal, if samples are real or if transmitters use codes.
 ///
 /// An echo between two cells appears up to 1.4 dB weaker per axis with windows like Hann's.
 pub fn cross_section_dbsm(header: &CubeHeader, point: &Point) -> Option<f64> {
-    let section = (power_from_db(point.snr_db) - 1.0) * section_of_noise_m2(header, point)?;
+    let section = power_from_db(point.snr_db) * section_of_noise_m2(header, point)?;
     (section > 0.0 && section.is_finite()).then(|| db_from_power(section))
 }
 
-/// Power over noise, dB, of an echo with this cross section in dBsm at the point's position: the inverse of
-/// [`cross_section_dbsm`].
+/// Signal-to-noise ratio, dB, of an echo with this cross section in dBsm at the point's position: the inverse
+/// of [`cross_section_dbsm`].
 pub fn snr_db_of(header: &CubeHeader, point: &Point, dbsm: f64) -> Option<f64> {
-    let ratio = power_from_db(dbsm) / section_of_noise_m2(header, point)? + 1.0;
+    let ratio = power_from_db(dbsm) / section_of_noise_m2(header, point)?;
     (ratio.is_finite() && ratio > 0.0).then(|| db_from_power(ratio))
 }
 
@@ -43,4 +43,50 @@ fn section_of_noise_m2(header: &CubeHeader, point: &Point) -> Option<f64> {
     let cosines = axes(radar).map(|axis| axis.dot(direction));
     let gain = radar.array.pattern.amplitude(cosines).powi(2) * link_amplitude(radar);
     Some(noise_w * bandwidth * point.range_m.powi(4) / ((samples * chirps) as f64 * gain * gain))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::aperture::Preset;
+    use crate::paper;
+    use artifact::points::Height;
+    use artifact::settings::{DspSettings, Window};
+
+    fn point(range_m: f64, snr_db: f64) -> Point {
+        Point {
+            range_m,
+            radial_velocity_mps: 0.0,
+            azimuth_rad: 0.0,
+            elevation_rad: 0.0,
+            height: Height::Assumed,
+            position_m: [0.0, range_m, 0.0],
+            snr_db,
+            two_ways_rad: None,
+            stationary: None,
+            object: None,
+            target: None,
+            label: None,
+        }
+    }
+
+    #[test]
+    fn echoes_weaker_than_the_noise_too_have_the_cross_section_of_the_link_budget() {
+        let (range_window, doppler_window) = (Window::Rect, Window::Rect);
+        let header = CubeHeader {
+            radar: paper::radar([0.0; 3], paper::waveform(256, 128), Preset::ThreeByFour.elements()),
+            noise: Noise::Figure { noise_figure_db: 14.0, temperature_k: 290.0 },
+            dsp: DspSettings { range_window, doppler_window, ..paper::processing() },
+            unit: Default::default(),
+        };
+        // physics.md §9, told to a tenth: 10 dBsm at 40 and at 60 m.
+        for (range_m, ten_dbsm_db) in [(40.0, 34.8), (60.0, 27.7)] {
+            for snr_db in [30.0, 10.0, 0.0, -7.0] {
+                let told = cross_section_dbsm(&header, &point(range_m, snr_db)).unwrap();
+                assert!((told - (10.0 + snr_db - ten_dbsm_db)).abs() < 0.06, "{range_m} {snr_db}: {told}");
+                let back = snr_db_of(&header, &point(range_m, 0.0), told).unwrap();
+                assert!((back - snr_db).abs() < 1e-9, "{back}");
+            }
+        }
+    }
 }

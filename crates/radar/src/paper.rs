@@ -71,7 +71,8 @@ pub fn processing() -> DspSettings {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::aperture::Preset;
+    use crate::aperture::{Preset, axes, boresight_yaw_rad, horizontal};
+    use std::f64::consts::FRAC_PI_2;
 
     #[test]
     fn the_rows_stand_in_steps_of_half_a_wavelength_around_the_radar() {
@@ -82,5 +83,20 @@ mod tests {
             assert!((element[0] - steps * half_m).abs() < 1e-15 && element[1..] == [0.0, 6.0]);
         }
         assert!((radar.waveform.chirp_interval_s - 60e-6).abs() < 1e-18);
+    }
+
+    #[test]
+    fn a_boresight_has_the_same_horizontal_direction_by_azimuth_and_by_yaw() {
+        let at = |azimuth_rad: f64| {
+            let radar = radar([0.0; 3], waveform(64, 16), Preset::OneByOne.elements());
+            Radar { boresight_az_rad: azimuth_rad, ..radar }
+        };
+        for azimuth_rad in [0.0, 0.7, FRAC_PI_2, -2.0] {
+            let (y, x) = boresight_yaw_rad(&at(azimuth_rad)).sin_cos();
+            let [_, ahead, _] = axes(&at(azimuth_rad));
+            let horizontal = horizontal(azimuth_rad);
+            assert_eq!([ahead.x, ahead.y], horizontal);
+            assert!((horizontal[0] - x).hypot(horizontal[1] - y) < 1e-15, "{azimuth_rad}");
+        }
     }
 }

@@ -62,7 +62,7 @@ pub struct Point {
     pub height: Height,
     /// Position, world metres.
     pub position_m: [f64; 3],
-    /// Map power over the local noise estimate, dB.
+    /// Signal-to-noise ratio, dB: map power over the local noise estimate, less 1.
     pub snr_db: f64,
     /// Azimuths of the two bodies between which the wave travelled, in either direction: a ghost, located at
     /// neither. `None` if the peak is explained by echoes of one body each, or if the array cannot resolve

@@ -20,7 +20,7 @@ pub fn foxglove(_file: &Path, _out: &Path) -> Result<(), Failure> {
 
 fn without(format: &str) -> Failure {
     Failure::System(format!(
-        "--to {format}: this program was built without messages of OSI, ROS 2 and Foxglove; `cargo install --path \
-         crates/wayside --features interchange` in the project's folder builds one with them"
+        "--to {format}: this program was built without messages of OSI, ROS 2 and Foxglove; `cargo install \
+         --path crates/wayside --features interchange` in the project's folder builds one with them"
     ))
 }

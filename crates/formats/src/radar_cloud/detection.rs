@@ -19,12 +19,8 @@ pub(crate) struct Detection {
 
 /// Cross section of a point in dBsm; 0, as in clouds, if the noise is unknown.
 fn cross_section(header: Option<&CubeHeader>, point: &Point) -> f64 {
-    let shown = Point { snr_db: point.snr_db.max(FAINTEST_SNR_DB), ..*point };
-    header.and_then(|header| cross_section_dbsm(header, &shown)).unwrap_or(0.0)
+    header.and_then(|header| cross_section_dbsm(header, point)).unwrap_or(0.0)
 }
-
-/// Ratio of power to noise below which no echo remains: such points count as a tenth of the noise.
-const FAINTEST_SNR_DB: f64 = 0.414;
 
 impl Detection {
     /// Converts a point to a detection.

@@ -5,10 +5,10 @@ use artifact::units::power_from_db;
 
 /// Probability e^{−E} that a map of noise alone has no cell as strong: E is the number of its cells times the
 /// probability that the mean power of M channels of noise exceeds its expectation by the factor ρ, Σ_{k<M}
-/// (Mρ)^k/k!·e^{−Mρ}.
+/// (Mρ)^k/k!·e^{−Mρ}, with ρ the signal-to-noise ratio plus 1, the cell's own noise.
 pub(crate) fn existence(radar: &Radar, snr_db: f64) -> f64 {
     let channels = radar.virtual_channels().max(1);
-    let level = channels as f64 * power_from_db(snr_db);
+    let level = channels as f64 * (power_from_db(snr_db) + 1.0);
     let cells = radar.waveform.range_cells() as f64 * f64::from(radar.waveform.chirps);
     (-cells * exceeded(channels, level)).exp()
 }
@@ -27,6 +27,17 @@ fn exceeded(count: usize, level: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use radar::aperture::Preset;
+    use radar::paper;
+
+    #[test]
+    fn a_cell_of_one_channel_holds_its_noise_beside_the_echo() {
+        let radar = paper::radar([0.0; 3], paper::waveform(256, 128), Preset::OneByOne.elements());
+        for snr_db in [8.0, 10.0, 12.0] {
+            let alarms = 256.0 * 128.0 * (-(1.0 + power_from_db(snr_db))).exp();
+            assert!((existence(&radar, snr_db) - (-alarms).exp()).abs() < 1e-12, "{snr_db}");
+        }
+    }
 
     #[test]
     fn one_channel_is_exponential_and_the_middle_of_many_is_their_mean() {
