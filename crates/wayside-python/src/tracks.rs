@@ -49,10 +49,10 @@ fn add(records: &mut Records, frame: u32, track: &Track) {
 
 #[pymethods]
 impl Tracks {
-    /// Tracks of all frames, a read-only `numpy.recarray`: frame, id, state (0 tentative, 1 confirmed, 2 coasting),
-    /// age_frames, missed_frames, position_m [2], velocity_mps [2], covariance [4, 4] of (x, y, v_x, v_y),
-    /// velocity_resolved, lane (−1 of none), box_centre_m [2], box_length_m, box_width_m, box_heading_rad
-    /// (from world +x towards +y).
+    /// Tracks of all frames, a read-only `numpy.recarray`: frame, id, state (0 tentative, 1 confirmed,
+    /// 2 coasting), age_frames, missed_frames, position_m [2], velocity_mps [2], covariance [4, 4] of
+    /// (x, y, v_x, v_y), velocity_resolved, lane (−1 of none), box_centre_m [2], box_length_m, box_width_m,
+    /// box_heading_rad (from world +x towards +y).
     #[getter]
     fn records<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.records.view(py, || {

@@ -58,6 +58,7 @@ fn gone_tests(text: &str, sources: &BTreeSet<String>) -> Vec<String> {
     let mut gone = Vec::new();
     for pair in words.windows(2) {
         match pair {
+            ["cargo", _] => package = "",
             ["-p" | "--package", name] => package = name,
             ["--test", name] => {
                 let folder =
@@ -100,6 +101,8 @@ mod tests {
             "`cfar.rs`, `dsp/src/cfar.rs`, `old.rs`; `cargo test -p dsp --test detection -p dsp --test gone`";
         assert_eq!(gone_files(text, &sources), ["old.rs"]);
         assert_eq!(gone_tests(text, &sources), ["the test `gone` of `dsp`"]);
+        let other = "`cargo run -p dsp` and `cargo xtask protocols out/own --test out/real`";
+        assert!(gone_tests(other, &sources).is_empty(), "the option of another command");
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Points as rows of 32-bit numbers, for clouds of any message: x, y, z in world metres, radial velocity in
-//! m/s (positive when the range grows), signal-to-noise ratio in dB, the object's number (−1 without one), and
-//! 1 if z is measured, 0 if it is assumed or the radar's own.
+//! m/s (positive when the range grows), signal-to-noise ratio in dB, the object's number (−1 without one),
+//! and 1 if z is measured, 0 if it is assumed or the radar's own.
 
 use artifact::points::{Height, Point, PointsFrame};
 
