@@ -28,11 +28,14 @@ function told(value, digits, unit = "") {
   return value.toFixed(digits).replace("-", "−") + (unit && ` ${unit}`);
 }
 
+/** The sign stays on the line of its number. */
+const PERCENT = "\u00a0%";
+
 /** A share in percent, to two digits, or to what is told at all. */
 function percent(share) {
   if (share <= 0) return "none";
-  if (share < 5e-5) return "less than 0.01 %";
-  return `${share < 0.995 ? (100 * share).toPrecision(2) : (100 * share).toFixed(1)} %`;
+  if (share < 5e-5) return `less than 0.01${PERCENT}`;
+  return (share < 0.995 ? (100 * share).toPrecision(2) : (100 * share).toFixed(1)) + PERCENT;
 }
 
 /** A number that tells the place of a thing in a row: 2nd, 3rd, 11th, 21st. */
