@@ -1,5 +1,4 @@
-//! Outcome of a run: `summary.json`, the verdict on the accuracy, false objects and tracks, and the lines for
-//! a console.
+//! Outcome of a run: `summary.json`, the verdict on the accuracy, false objects and tracks.
 
 pub mod error_figures;
 pub(crate) mod useful_accuracy;
@@ -8,4 +7,3 @@ pub mod frame_truth;
 pub(crate) mod false_objects;
 pub mod summary;
 pub mod tracking;
-pub mod console_lines;

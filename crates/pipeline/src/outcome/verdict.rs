@@ -13,7 +13,7 @@ use artifact::{Accuracy, ErrorBudget};
 use serde::{Deserialize, Serialize};
 
 /// Largest number of frames reported in full; of more, only the worst is.
-pub(crate) const FRAMES_IN_FULL: usize = 4;
+pub const FRAMES_IN_FULL: usize = 4;
 
 /// Whether the requested accuracy was reached.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -248,7 +248,7 @@ pub fn of_frames(frames: &[(u32, Verdict)]) -> Vec<String> {
 
 /// Lines about an accuracy: the request, the result and the shares that make up most of the error; if it was
 /// not reached, also the limiting error and a remedy.
-pub(crate) fn lines(accuracy: &AccuracyVerdict, error_db: &ErrorFigures) -> Vec<String> {
+pub fn lines(accuracy: &AccuracyVerdict, error_db: &ErrorFigures) -> Vec<String> {
     let asked = asked_in_words(accuracy);
     if accuracy.level_db().is_none() {
         return vec![format!("numerical error not estimated ({asked})")];
@@ -262,7 +262,7 @@ pub(crate) fn lines(accuracy: &AccuracyVerdict, error_db: &ErrorFigures) -> Vec<
 }
 
 /// The requested accuracy, and the result that requires it.
-pub(crate) fn asked_in_words(accuracy: &AccuracyVerdict) -> String {
+pub fn asked_in_words(accuracy: &AccuracyVerdict) -> String {
     let goal = accuracy.goal.map_or(String::new(), |goal| format!(" for \"{}\"", goal.name()));
     let asked = format!("{} asked{goal}", decibels(accuracy.asked_db));
     accuracy.planned_db.map_or(asked.clone(), |db| format!("{} planned for {asked}", decibels(db)))

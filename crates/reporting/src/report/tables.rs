@@ -1,8 +1,8 @@
 //! The report's tables, filled from the summary alone.
 
+use crate::console_lines;
 use artifact::settings::Class;
 use maud::{Markup, html};
-use pipeline::outcome::console_lines;
 use pipeline::outcome::summary::{FrameSummary, MapState, Predicted, RadarSummary, Stage, TargetSummary};
 use std::fmt::Display;
 

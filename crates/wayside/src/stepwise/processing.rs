@@ -12,8 +12,8 @@ use pipeline::chain::stages::Stage;
 use pipeline::host::call_off::CallOff;
 use pipeline::host::failure::Failure;
 use pipeline::host::progress;
-use pipeline::outcome::console_lines::{WITHOUT_AZIMUTH, WITHOUT_NOISE, without_height};
 use radar::lattice::tells_azimuth;
+use reporting::console_lines::{WITHOUT_AZIMUTH, WITHOUT_NOISE, without_height};
 
 /// Processing of the cubes of one radar, from the cubes alone.
 pub struct Processing {

@@ -14,8 +14,8 @@ use pipeline::chain::stages::Stage;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::host::progress;
-use pipeline::outcome::console_lines::{WITHOUT_AZIMUTH, WITHOUT_NOISE, without_height};
 use radar::lattice::tells_azimuth;
+use reporting::console_lines::{WITHOUT_AZIMUTH, WITHOUT_NOISE, without_height};
 use reporting::pictures;
 use std::path::{Path, PathBuf};
 

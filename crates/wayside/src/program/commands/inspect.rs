@@ -17,8 +17,8 @@ use artifact::{Preamble, Radar, Reader, Schema, read_preamble};
 use num_complex::Complex32;
 use pipeline::host::failure::Failure;
 use pipeline::host::progress;
-use pipeline::outcome::console_lines::{WITHOUT_AZIMUTH, WITHOUT_NOISE, without_height};
 use radar::lattice::tells_azimuth;
+use reporting::console_lines::{WITHOUT_AZIMUTH, WITHOUT_NOISE, without_height};
 use std::path::Path;
 
 /// Words for invalid and for valid content.

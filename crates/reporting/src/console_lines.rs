@@ -1,13 +1,13 @@
 //! Lines that `run` prints at its end, from its summary alone: detections, their quality, and whether the
 //! requested accuracy was reached.
 
-use crate::outcome::error_figures::decibels;
-use crate::outcome::summary::{
+use artifact::settings::StaticEchoes;
+use pipeline::outcome::error_figures::decibels;
+use pipeline::outcome::summary::{
     AccuracyVerdict, Cause, FalseObject, FrameSummary, OneOfRadars, Predicted, RadarsSummary, Summary,
     TargetSummary,
 };
-use crate::outcome::verdict::{self, FRAMES_IN_FULL};
-use artifact::settings::StaticEchoes;
+use pipeline::outcome::verdict::{self, FRAMES_IN_FULL};
 use std::collections::BTreeMap;
 
 /// Largest number of frames with a line each: more would push the rest off the screen.
