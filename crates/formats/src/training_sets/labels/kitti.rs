@@ -205,10 +205,11 @@ mod tests {
             yaw_rad: 2.345_678_9,
             ..bus()
         };
-        let bodies = [bus(), turned];
+        let flat = TruthBox { number: 5, size_m: [0.0, 1.0, 0.5], ..bus() };
+        let bodies = [bus(), turned, flat];
         let labels: String = bodies.iter().filter_map(|body| kitti::label(&axes, body)).collect();
         let (found, tells_bodies) = read(&labels, &kitti::calibration(), axes).unwrap();
-        assert!(tells_bodies && found.len() == 2, "{found:?}");
+        assert!(tells_bodies && found.len() == 3, "{found:?}");
         for (body, found) in bodies.iter().zip(found) {
             assert_eq!(found.number, body.number);
             // Half of the fourth digit along each axis, and half of the sixth of the rotation.
@@ -258,7 +259,7 @@ mod tests {
             (2, "5 columns are neither"),
             (4, "x `two` is no finite number"),
             (5, "x `nan` is no finite number"),
-            (6, "length, width and height are not all above 0 m and at most 1000 m"),
+            (6, "length, width and height are not all from 0 to 1000 m"),
             (7, "the box is not within 100000 m of the sensor"),
         ] {
             assert!(refused.contains(&format!("00003.txt:{line}: {rule}")), "{refused}");

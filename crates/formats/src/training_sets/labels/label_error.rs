@@ -22,7 +22,7 @@ pub(super) enum LabelError {
         word: String,
     },
     /// A box without extent, or with too large a one.
-    #[error("length, width and height are not all above 0 m and at most {limit} m", limit = SIZE_LIMIT_M)]
+    #[error("length, width and height are not all from 0 to {limit} m", limit = SIZE_LIMIT_M)]
     Size,
     /// A box that no sensor sees.
     #[error("the box is not within {limit} m of the sensor", limit = PLACE_LIMIT_M)]

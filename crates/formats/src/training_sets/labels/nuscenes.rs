@@ -332,12 +332,12 @@ mod tests {
         let rows = tables.get_mut("sample_annotation").unwrap();
         rows[0]["instance_token"] = "none".into();
         rows[1]["rotation"] = json!([1, 1, 0, 0]);
-        rows[2]["size"] = json!([0, 5, 1]);
+        rows[2]["size"] = json!([-1, 5, 1]);
         let refused = read(&tables, 1, axes).unwrap_err();
         for rule in [
             "sample_annotation.json: row 0: instance_token `none` is of no row",
             "sample_annotation.json: row 1: rotation is no rotation",
-            "sample_annotation.json: row 2: length, width and height are not all above 0 m",
+            "sample_annotation.json: row 2: length, width and height are not all from 0 to 1000 m",
         ] {
             assert!(refused.contains(rule), "{refused}");
         }

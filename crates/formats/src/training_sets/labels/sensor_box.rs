@@ -22,7 +22,7 @@ impl SensorBox {
     /// # Errors
     /// Its size or place is none of a body that a radar sees, or no number.
     pub(super) fn in_world(&self, axes: &LevelledAxes, number: u32) -> Result<LabelledBox, LabelError> {
-        if !self.size_m.iter().all(|side_m| *side_m > 0.0 && *side_m <= SIZE_LIMIT_M) {
+        if !self.size_m.iter().all(|side_m| (0.0..=SIZE_LIMIT_M).contains(side_m)) {
             return Err(LabelError::Size);
         }
         if !(0.0..=PLACE_LIMIT_M).contains(&self.middle_m.length()) {
