@@ -144,7 +144,7 @@ def test_a_name_that_is_no_unicode_is_refused_with_its_key() -> None:
 
 @pytest.mark.parametrize("seed", [-1, 2**63, 2**80])
 def test_a_seed_beyond_the_whole_numbers_of_toml_is_refused(seed: int) -> None:
-    with pytest.raises(ValueError, match=rf"seed: {seed} is not in 0\.\.=9223372036854775807"):
+    with pytest.raises(ValueError, match=f"seed: it must be from 0 to 9223372036854775807, is {seed}"):
         wayside.Scene(small_scene(), seed=seed)
     with pytest.raises(wayside.WaysideError, match="`seed` must be a"):
         wayside.Scene(small_scene(seed=seed))

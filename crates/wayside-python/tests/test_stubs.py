@@ -26,7 +26,7 @@ def told() -> Iterator[tuple[str, str]]:
             yield from ((f"{node.name}.{name}", doc) for name, doc in of_members if doc)
 
 
-@pytest.mark.parametrize(("name", "of_stub"), told(), ids=[name for name, _ in told()])
+@pytest.mark.parametrize(("name", "of_stub"), list(told()), ids=[name for name, _ in told()])
 def test_a_docstring_of_the_stubs_is_the_packages(name: str, of_stub: str) -> None:
     of_package: object = _core
     for part in name.split("."):

@@ -48,7 +48,7 @@ pub(crate) fn whole(name: &str, given: &Bound<'_, PyAny>, allowed: &RangeInclusi
 
 fn refused(name: &str, written: impl Display, allowed: &RangeInclusive<i64>) -> PyErr {
     let (first, last) = (allowed.start(), allowed.end());
-    failure::of_argument(name, format!("{written} is not in {first}..={last}"))
+    failure::of_argument(name, format!("it must be from {first} to {last}, is {written}"))
 }
 
 /// Limit of memory in MiB, where one is given.
