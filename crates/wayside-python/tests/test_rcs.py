@@ -62,7 +62,7 @@ def test_a_word_that_is_none_is_refused_with_those_that_are(plate: Path) -> None
         ({"rx_range_m": 10}, "rx_az_deg: rx_range_m needs it"),
         ({"rx_az_deg": 10, "rx_el_deg": 200}, "rx_el_deg: it must be from -90 to 90, is 200"),
         ({"rx_az_deg": 10, "rx_el_deg": 0, "rx_range_m": -5}, "rx_range_m: it must be from 0.001"),
-        ({"memory_limit_mib": -1}, "memory_limit_mib: -1 is not in"),
+        ({"memory_limit_mib": -1}, "memory_limit_mib: it must be from 1 to 16777216, is -1"),
         ({"accuracy_db": 0}, "accuracy_db"),
     ],
 )
