@@ -1,5 +1,7 @@
 //! Constants and conversions for inputs and outputs; internally all quantities are SI, radians and linear.
 
+use num_complex::Complex32;
+
 /// Speed of light in vacuum (SI definition; in air it is 3e-4 lower, which is neglected), m/s.
 pub const SPEED_OF_LIGHT_MPS: f64 = 299_792_458.0;
 /// Boltzmann constant (SI definition), J/K.
@@ -30,6 +32,12 @@ pub fn power_from_db(db: f64) -> f64 {
 /// Amplitude ratio of a decibel value.
 pub fn amplitude_from_db(db: f64) -> f64 {
     10.0_f64.powf(db / 20.0)
+}
+
+/// Power |value|² in double precision: single precision has no squares of amplitudes below 4e-23.
+#[inline]
+pub fn power(value: Complex32) -> f64 {
+    f64::from(value.re).powi(2) + f64::from(value.im).powi(2)
 }
 
 /// Watts of a level in dBm.

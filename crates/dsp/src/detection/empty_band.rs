@@ -9,9 +9,10 @@ use crate::detection::cfar::{DETECTED, TESTED};
 use crate::spectrum::division::Division;
 use crate::spectrum::doppler_bands::band_cycles;
 use crate::spectrum::map_transform::RangeDoppler;
-use crate::spectrum::noncoherent::{power, sum_over_channels};
+use crate::spectrum::noncoherent::sum_over_channels;
 use artifact::radar::Multiplexing;
 use artifact::rdm::RdmFrame;
+use artifact::units::power;
 use num_complex::Complex32;
 use rayon::prelude::*;
 

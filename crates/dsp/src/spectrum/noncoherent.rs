@@ -4,6 +4,7 @@ use crate::error::DspError;
 use crate::spectrum::shapes::Shapes;
 use artifact::cube::CubeHeader;
 use artifact::rdm::RdmFrame;
+use artifact::units::power;
 use ndarray::{Array2, ArrayView2};
 use num_complex::Complex32;
 use rayon::prelude::*;
@@ -80,12 +81,6 @@ pub(crate) fn sum_over_channels(values: &[Complex32], cells: usize) -> Vec<f64> 
         }
     });
     sum
-}
-
-/// Power |value|² in double precision: single precision has no squares of amplitudes below 4e-23.
-#[inline]
-pub(crate) fn power(value: Complex32) -> f64 {
-    f64::from(value.re).powi(2) + f64::from(value.im).powi(2)
 }
 
 /// Median of a sum of M unit exponentials: exact for one, else Choi (Proc. AMS 121 (1994) 245), M − 1/3 +

@@ -16,7 +16,7 @@ use crate::training_sets::truth_boxes::{TruthBox, TruthBoxes};
 use artifact::cube::CubeHeader;
 use artifact::rdm::{Rdm, RdmFrame};
 use artifact::settings::Class;
-use artifact::{Radar, Reader};
+use artifact::{Radar, Reader, units};
 use pipeline::host::failure::Failure;
 use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
@@ -66,14 +66,13 @@ fn write_maps(
     let channels = map.values.len() / (ranges * doppler).max(1);
     let level = |power: f64, channels| header.map_level_db(power, channels) as f32;
     let power = |range: usize, row: usize| -> f64 {
-        let value = |channel: usize| map.values[(channel * doppler + row) * ranges + range].norm_sqr();
-        (0..channels).map(|channel| f64::from(value(channel))).sum()
+        let value = |channel: usize| map.values[(channel * doppler + row) * ranges + range];
+        (0..channels).map(|channel| units::power(value(channel))).sum()
     };
     let of_range = |range| (0..doppler).map(move |row| level(power(range, row), channels));
     let range_doppler: Vec<f32> = (0..ranges).flat_map(of_range).collect();
-    let strongest = |cells: &[num_complex::Complex32]| {
-        cells.iter().map(|value| f64::from(value.norm_sqr())).fold(0.0, f64::max)
-    };
+    let strongest =
+        |cells: &[num_complex::Complex32]| cells.iter().copied().map(units::power).fold(0.0, f64::max);
     let of_angles = tensor.by_range.iter().rev().flat_map(|cells| cells.chunks(doppler));
     let range_angle: Vec<f32> = of_angles.map(|cells| level(strongest(cells), channels)).collect();
     for (folder, columns, values) in

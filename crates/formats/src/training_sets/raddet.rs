@@ -17,7 +17,7 @@ use crate::training_sets::set_folder::SetFolder;
 use crate::training_sets::truth_boxes::{TruthBox, TruthBoxes};
 use artifact::cube::CubeHeader;
 use artifact::rdm::Rdm;
-use artifact::{Radar, Reader};
+use artifact::{Radar, Reader, units};
 use glam::{DVec2, DVec3};
 use num_complex::Complex32;
 use pipeline::host::failure::Failure;
@@ -65,13 +65,13 @@ fn write_tensor(set: &SetFolder, index: u32, tensor: &Tensor) -> Result<(), Fail
 
 /// Factor that scales the cells of a frame to the median power; 1 if that is zero.
 fn scale_of<'a>(values: impl Iterator<Item = &'a Complex32>) -> f32 {
-    let mut powers: Vec<f32> = values.map(Complex32::norm_sqr).collect();
+    let mut powers: Vec<f64> = values.copied().map(units::power).collect();
     if powers.is_empty() {
         return 1.0;
     }
     let middle = powers.len() / 2;
-    let (_, median, _) = powers.select_nth_unstable_by(middle, f32::total_cmp);
-    let scale = (f64::from(MEDIAN_POWER) / f64::from(*median)).sqrt() as f32;
+    let (_, median, _) = powers.select_nth_unstable_by(middle, f64::total_cmp);
+    let scale = (f64::from(MEDIAN_POWER) / *median).sqrt() as f32;
     if *median > 0.0 && scale.is_finite() { scale } else { 1.0 }
 }
 

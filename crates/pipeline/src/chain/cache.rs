@@ -15,6 +15,7 @@ mod sealed;
 
 use crate::chain::keys::Key;
 use crate::chain::stages::Stage;
+use crate::host::checkpoint::KeptWork;
 use crate::host::failure::Failure;
 use crate::host::places;
 use crate::host::progress;
@@ -213,13 +214,15 @@ impl Cache {
             writer.finish()
         });
         if let Err(error) = written {
-            say_once(&error);
+            failed(KeptWork::UntilFailure, &error);
         }
     }
 
     /// Creates and marks the folder before the first file is put into it.
     fn is_marked(&self) -> bool {
-        *self.marked.get_or_init(|| marker::set(&self.root).map_err(|error| say_once(&error)).is_ok())
+        *self.marked.get_or_init(|| {
+            marker::set(&self.root).map_err(|error| failed(KeptWork::Nothing, &error)).is_ok()
+        })
     }
 }
 
@@ -277,8 +280,18 @@ fn discard(place: &Path, why: &EntryFault) {
     }
 }
 
+/// Part of the finished work that is in the cache since its first failure.
+static SINCE_FAILURE: OnceLock<KeptWork> = OnceLock::new();
+
+/// Part of the finished work that the next run finds in this process's cache.
+pub fn kept_work() -> KeptWork {
+    SINCE_FAILURE.get().copied().unwrap_or(KeptWork::All)
+}
+
 /// Reports the first failure only: a full disk or a protected folder fails for every entry.
-fn say_once(error: &dyn std::fmt::Display) {
-    static SAID: OnceLock<()> = OnceLock::new();
-    SAID.get_or_init(|| progress::note(format!("note: not cached: {error}")));
+fn failed(kept: KeptWork, error: &dyn std::fmt::Display) {
+    SINCE_FAILURE.get_or_init(|| {
+        progress::note(format!("note: not cached: {error}"));
+        kept
+    });
 }

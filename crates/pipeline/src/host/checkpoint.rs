@@ -31,14 +31,14 @@ pub struct Checkpoint {
     state: Arc<Mutex<State>>,
 }
 
-/// Part of the finished aspects that the next run of the same work finds.
+/// Part of the finished work (aspects, frames) that the next run of the same work finds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum KeptWork {
-    /// No aspect is kept, or none is finished yet.
+    /// Nothing is kept, or nothing is finished yet.
     Nothing,
-    /// Aspects that were finished before the disk was full.
-    UntilFull,
-    /// Every finished aspect.
+    /// What was finished before a write failed, by a full disk for example.
+    UntilFailure,
+    /// All that is finished.
     All,
 }
 
@@ -97,7 +97,7 @@ impl Checkpoint {
             State::NotYet | State::GivenUp => KeptWork::Nothing,
             State::Open(records) if records.whole <= head_bytes => KeptWork::Nothing,
             State::Open(_) => KeptWork::All,
-            State::Full(_) => KeptWork::UntilFull,
+            State::Full(_) => KeptWork::UntilFailure,
         }
     }
 
@@ -340,7 +340,7 @@ mod tests {
         };
         let open = std::mem::replace(&mut *locked(&checkpoint.state), State::GivenUp);
         *locked(&checkpoint.state) = full(open);
-        assert_eq!(found(), KeptWork::UntilFull);
+        assert_eq!(found(), KeptWork::UntilFailure);
         checkpoint.finish();
         assert_eq!(found(), KeptWork::Nothing, "the result is written");
     }

@@ -42,8 +42,8 @@ fn left_behind(kept: Option<(&str, KeptWork)>) -> String {
         Some((parts, KeptWork::All)) => {
             format!("whole {parts} are kept, the same command goes on from there")
         }
-        Some((parts, KeptWork::UntilFull)) => {
-            format!("{parts} done before the disk was full are kept, the same command goes on from there")
+        Some((parts, KeptWork::UntilFailure)) => {
+            format!("{parts} done before a write failed are kept, the same command goes on from there")
         }
         Some((_, KeptWork::Nothing)) | None => {
             "nothing is half-written, the same command begins anew".to_owned()
@@ -58,7 +58,7 @@ mod tests {
     #[test]
     fn only_kept_parts_are_said_to_be_kept() {
         for (kept, is_said) in
-            [(KeptWork::All, true), (KeptWork::UntilFull, true), (KeptWork::Nothing, false)]
+            [(KeptWork::All, true), (KeptWork::UntilFailure, true), (KeptWork::Nothing, false)]
         {
             let said = left_behind(Some(("aspects", kept)));
             assert_eq!(said.contains("are kept"), is_said, "{kept:?}: {said}");

@@ -189,7 +189,7 @@ fn an_interrupt_on_a_full_disk_says_which_aspects_are_kept() {
     let said = last_words_on_full_disk(&place, &words, 8);
     assert_eq!(
         said,
-        "interrupted; aspects done before the disk was full are kept, the same command goes on from there"
+        "interrupted; aspects done before a write failed are kept, the same command goes on from there"
     );
 }
 

@@ -12,7 +12,7 @@ use artifact::rcs::Rcs;
 use artifact::rdm::Rdm;
 use artifact::scene::{Scene, SceneHeader};
 use artifact::tracks::{TrackState, Tracks};
-use artifact::units::{db_from_amplitude, db_from_power};
+use artifact::units::{db_from_amplitude, db_from_power, power};
 use artifact::{Preamble, Radar, Reader, Schema, read_preamble};
 use num_complex::Complex32;
 use pipeline::host::failure::Failure;
@@ -227,7 +227,7 @@ fn samples((index, time_s): (u32, f64), values: &[Complex32], shape: [usize; 3],
 }
 
 fn mean_power(values: &[Complex32]) -> f64 {
-    values.iter().map(|v| f64::from(v.norm_sqr())).sum::<f64>() / values.len().max(1) as f64
+    values.iter().copied().map(power).sum::<f64>() / values.len().max(1) as f64
 }
 
 fn points(reader: Reader<Points>) -> Result<(), Failure> {

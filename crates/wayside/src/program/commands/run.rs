@@ -5,13 +5,13 @@ use crate::program::interrupt;
 use crate::program::means::Means;
 use crate::program::terminal;
 use crate::run::{self, Settings};
-use pipeline::chain::cache::{Cache, CacheLocation};
+use pipeline::chain::cache::{self, Cache, CacheLocation};
 use pipeline::host::failure::Failure;
 
 pub(crate) fn run(arguments: &RunArguments, means: &Means) -> Result<(), Failure> {
     let cache = (!arguments.no_cache).then(|| arguments.cache.location());
     if !arguments.dry_run && is_cached(cache.as_ref()) {
-        interrupt::keeps("frames");
+        interrupt::keeps_as_told("frames", cache::kept_work);
     }
     let settings = Settings {
         scene: arguments.scene.source(),
