@@ -130,7 +130,7 @@ pub(super) const MODELS: Table = Table {
 pub(super) const VEHICLES: Key<Text> =
     Key::new("vehicles", Text("a folder"), "with a manifest that tells names and classes");
 
-const WORDS: Texts = Texts("names of own vehicles, mesh files, folders or `crosses`");
+const WORDS: Texts = Texts("names of own vehicles, mesh files, folders, `own` or `crosses`");
 
 pub(super) const CAR: Key<Texts> = Key::new("car", WORDS, "cars");
 

@@ -138,19 +138,33 @@ pub(super) fn read(
     Ok(models)
 }
 
+/// Word for all own vehicles of a class, in the order of the catalogue.
+const ALL_OWN: &str = "own";
 /// Word for all crosses of a class.
 const ALL_CROSSES: &str = "crosses";
 
-/// The models that a word of the recipe names: an own vehicle, all crosses, a file, or all `.glb` of a
-/// folder.
+/// Own vehicles that a word for many of them stands for; `None` for any other word.
+fn many(class: Class, written: &str) -> Option<Vec<String>> {
+    match written {
+        ALL_CROSSES => Some(vehicles::crosses_of(class)),
+        ALL_OWN => {
+            let own = vehicles::names().into_iter().filter(|name| vehicles::class_of(name) == Some(class));
+            Some(own.map(str::to_owned).collect())
+        }
+        _ => None,
+    }
+}
+
+/// The models that a word of the recipe names: an own vehicle, all of them, all crosses, a file, or all
+/// `.glb` of a folder.
 fn of_word(
     class: Class,
     written: &str,
     folder: &Path,
 ) -> Result<Vec<(String, Option<PathBuf>)>, RecipeError> {
     let (path, name) = (folder.join(written), || written.to_owned());
-    if written == ALL_CROSSES {
-        return Ok(vehicles::crosses_of(class).into_iter().map(|name| (name, None)).collect());
+    if let Some(names) = many(class, written) {
+        return Ok(names.into_iter().map(|name| (name, None)).collect());
     }
     match vehicles::class_of(written) {
         Some(own) if own == class => return Ok(vec![(name(), None)]),
