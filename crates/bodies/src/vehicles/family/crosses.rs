@@ -1,6 +1,6 @@
 //! Crosses of two families: built like the first, in proportions half way to the second.
 //!
-//! Sixty families are few shapes for training; each two of a class yield a third that is in no table.
+//! A hundred families are few shapes for training; each two of a class yield a third that is in no table.
 
 use toml::{Table, Value};
 

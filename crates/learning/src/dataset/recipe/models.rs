@@ -229,3 +229,19 @@ fn model(
     let of_file = OfFile { mesh: centred(mesh), materials };
     Ok(Model { name, source: Source::File(Box::new(of_file)) })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn own_stands_for_all_vehicles_of_the_class_in_the_order_of_the_catalogue() {
+        for class in Class::ALL {
+            let names = of_word(class, "own", Path::new(".")).unwrap();
+            let prefix = format!("{}-", class.name());
+            let of_class = vehicles::names().into_iter().filter(|name| name.starts_with(&prefix));
+            assert_eq!(names, of_class.map(|name| (name.to_owned(), None)).collect::<Vec<_>>());
+            assert!(names.len() > 12, "{class:?}");
+        }
+    }
+}
