@@ -10,7 +10,7 @@ pub struct Model;
 
 impl Schema for Model {
     const NAME: &'static str = "model";
-    const VERSION: u32 = 2;
+    const VERSION: u32 = 3;
     const RECORD_LIMIT: u64 = 1 << 30;
     type Header = ModelHeader;
     type Frame = Weights;
@@ -42,6 +42,8 @@ pub enum Learner {
         /// Names of the features, in the order of the trees' column numbers.
         features: Vec<String>,
     },
+    /// One-dimensional networks over the range cells of signatures.
+    ProfileNetworks(ProfileShape),
 }
 
 impl Learner {
@@ -50,6 +52,7 @@ impl Learner {
         match self {
             Self::CropNetwork(_) => "paper",
             Self::BoostedTrees { .. } => "trees",
+            Self::ProfileNetworks(_) => "profile",
         }
     }
 }
@@ -67,6 +70,17 @@ pub struct NetworkShape {
     pub input_side: u32,
 }
 
+/// Inputs of the networks over range cells.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ProfileShape {
+    /// Number of range cells, from some cells before the object's nearest point on.
+    pub cells: u32,
+    /// Names of the quantities of each cell, in the order of the channels.
+    pub of_cells: Vec<String>,
+    /// Names of the quantities of the whole signature, behind the cells.
+    pub of_object: Vec<String>,
+}
+
 /// Parameters of a model.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Weights {
@@ -77,6 +91,51 @@ pub enum Weights {
     },
     /// Boosted trees.
     Trees(BoostedTrees),
+    /// Networks over range cells, whose logits are averaged.
+    Profile(ProfileNetworks),
+}
+
+/// Networks of several trainings.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ProfileNetworks {
+    /// Divisor of the mean logits.
+    pub temperature: f32,
+    /// One network of each training.
+    pub members: Vec<ProfileNetwork>,
+}
+
+/// Blocks of convolution, rectifier and maximum of two cells, then two fully connected layers with a
+/// rectifier between them; the first also takes the quantities of the whole signature.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ProfileNetwork {
+    /// Convolutions along range, with their batch normalization merged.
+    pub convolutions: Vec<Convolution>,
+    /// First fully connected layer.
+    pub hidden: Dense,
+    /// Second fully connected layer: its outputs are the logits.
+    pub output: Dense,
+}
+
+/// A convolution along range that keeps the number of cells; beyond the ends there are zeros.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Convolution {
+    /// Number of input channels.
+    pub inputs: u32,
+    /// Number of taps, odd.
+    pub taps: u32,
+    /// Weights `[output, input, tap]`.
+    pub weights: Vec<f32>,
+    /// Bias of each output.
+    pub bias: Vec<f32>,
+}
+
+/// A fully connected layer.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Dense {
+    /// Weights `[output, input]`.
+    pub weights: Vec<f32>,
+    /// Bias of each output.
+    pub bias: Vec<f32>,
 }
 
 /// Trees whose leaves are summed.
