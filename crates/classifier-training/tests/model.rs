@@ -19,14 +19,14 @@ static TRAINED: LazyLock<Trained> = LazyLock::new(|| {
 fn shape(header: &mut ModelHeader) -> Option<&mut NetworkShape> {
     match &mut header.learner {
         Learner::CropNetwork(shape) => Some(shape),
-        Learner::BoostedTrees { .. } => None,
+        Learner::BoostedTrees { .. } | Learner::ProfileNetworks(_) => None,
     }
 }
 
 fn trained_bytes() -> Option<&'static [u8]> {
     match &TRAINED.weights {
         Weights::Network { safetensors } => Some(safetensors),
-        Weights::Trees(_) => None,
+        Weights::Trees(_) | Weights::Profile(_) => None,
     }
 }
 

@@ -1,8 +1,13 @@
-//! Boosted trees over features of signatures.
+//! Boosted trees and networks over signatures, and their training on sightings of vehicles.
 
-pub(crate) mod trees; // inference
+pub(crate) mod trees; // inference of trees
+pub(crate) mod vehicles; // samples by vehicle: inputs, weights, folds, tracks
 pub(crate) mod signature_classifier; // probabilities of signatures
 pub(crate) mod boosting; // training of trees
-pub(crate) mod vehicles; // samples by vehicle: weights, folds, tracks
 pub(crate) mod likeness; // similarity of two sets of samples
-pub(crate) mod tree_training; // rounds, temperature, correlation from held-out vehicles
+pub(crate) mod answers; // answers by frame and by track
+pub(crate) mod held_out; // answers for vehicles held out in turn
+pub(crate) mod trained; // temperature, correlation, metrics
+pub(crate) mod tree_training; // boosted trees
+pub(crate) mod profile_training; // networks over range cells
+pub(crate) mod signature_training; // either of them

@@ -155,6 +155,14 @@ pub enum ClassifierError {
         /// Violated rule of trees.
         rule: &'static str,
     },
+    /// A malformed network over range cells.
+    #[error("network {member} breaks a rule: {rule}")]
+    ProfileNetwork {
+        /// Number of the network.
+        member: usize,
+        /// Violated rule of networks.
+        rule: &'static str,
+    },
     /// The artifact holds no weights, or more than one set.
     #[error("the model holds {found} sets of weights, needed is one")]
     WeightSets {

@@ -1,13 +1,15 @@
-//! Vehicle classes: from an object's signature by boosted decision trees, and from its crop of the
-//! range-Doppler map by the paper's convolutional network.
+//! Vehicle classes: from an object's signature by networks along range or by boosted decision trees, and from
+//! its crop of the range-Doppler map by the paper's convolutional network.
 //!
 //! The input is a signature ([`artifact::signature::Signature`]: level, cross section, place across and
-//! height of each range cell). Some ninety features of it ([`features()`]) go into trees whose four
-//! probabilities are calibrated on held-out vehicles ([`SignatureClassifier`], [`train_trees`]). The network
-//! is kept for the paper's protocol ([`Classifier`]): three blocks of convolution, batch normalization,
-//! rectifier and maximum, then a fully connected layer, over 24 m x 8 m/s around the object in grey levels.
-//! Neither uses lane or truth. This crate runs both and trains the trees; the network's weights are trained
-//! by the crate `classifier-training`, which needs a learning library that this crate avoids.
+//! height of each range cell). Small one-dimensional networks take its cells as they are
+//! ([`train_networks`]); or some ninety features of it ([`features()`]) go into trees ([`train_trees`]). The
+//! four probabilities of either are calibrated on held-out vehicles ([`SignatureClassifier`]). The paper's
+//! network is kept for the paper's protocol ([`Classifier`]): three blocks of convolution, batch
+//! normalization, rectifier and maximum, then a fully connected layer, over 24 m x 8 m/s around the object in
+//! grey levels. None uses lane or truth. This crate runs all three and trains the first two; the paper's
+//! network is trained by the crate `classifier-training`, which needs a learning library that this crate
+//! avoids.
 //!
 //! Probabilities are in the order of [`artifact::settings::Class::ALL`]. Read the rooms below in their order;
 //! each uses only those before it.
@@ -27,7 +29,8 @@ mod error; // faults of a crop, a model or a dataset
 mod signatures; // features of a signature
 mod crops; // the paper's network over crops of maps
 mod evaluation; // metrics of answers
-mod ensembles; // boosted trees over features of signatures
+mod networks; // networks over range cells of signatures
+mod ensembles; // trees and networks over signatures, trained on sightings
 
 pub use crops::classify::Classifier;
 pub use crops::layout::{ARCHITECTURE, CHANNELS, Layout};
@@ -38,12 +41,14 @@ pub use crops::network::{Logits, VARIANCE_FLOOR};
 pub use crops::parameters::{Parameters, Values};
 pub use crops::samples::{Example, Examples, format_of, samples_of};
 pub use crops::tensor_name;
+pub use ensembles::answers::{Part, of_tracks, parts};
 pub use ensembles::boosting::{BoostingSettings, Table, boosted};
 pub use ensembles::likeness::{area_under_roc, likeness};
-pub use ensembles::signature_classifier::SignatureClassifier;
-pub use ensembles::tree_training::{
-    Part, TrainedTrees, TreeMetrics, TreeSettings, of_tracks, parts, train_trees,
-};
+pub use ensembles::profile_training::{ProfileSettings, train_networks};
+pub use ensembles::signature_classifier::{SignatureClassifier, answer};
+pub use ensembles::signature_training::SignatureTraining;
+pub use ensembles::trained::{SignatureMetrics, Trained};
+pub use ensembles::tree_training::{TreeSettings, train_trees};
 pub use ensembles::trees::logits as tree_logits;
 pub use ensembles::vehicles::{Seen, Sightings, TrackKey};
 pub use error::ClassifierError;
@@ -54,5 +59,6 @@ pub use evaluation::metrics::{
 };
 pub use evaluation::split::split_of_scene;
 pub use evaluation::temperature::fitted_temperature;
+pub use networks::network_training::NetworkSettings;
 pub use signatures::feature::Features;
 pub use signatures::features::{features, names as feature_names};

@@ -1,6 +1,6 @@
-//! Protocols: the accuracy of boosted trees, trained with several seeds, on data not used in training: scenes
-//! of the test split (S), vehicles held out in turn (V, folder by folder), and datasets only for testing (T).
-//! Or the paper's network by the paper's protocol (P).
+//! Protocols: the accuracy of models of signatures, trained with several seeds, on data not used in training:
+//! scenes of the test split (S), vehicles held out in turn (V, folder by folder), and datasets only for
+//! testing (T). Or the paper's network by the paper's protocol (P).
 
 mod protocol_set;
 mod conditions;
@@ -9,9 +9,9 @@ mod paper;
 mod settings;
 
 use crate::evaluation::{confusion, shares, sightings_of, told_by};
-use crate::training::{Learner, iterations_of_trees, note_lone_vehicles};
+use crate::training::{iterations_of_signatures, note_lone_vehicles};
 use artifact::settings::Class;
-use classifier::{Part, ReliabilityBin, Seen, Sightings, TrainedTrees, TreeSettings, likeness, train_trees};
+use classifier::{Part, ReliabilityBin, Seen, Sightings, SignatureTraining, Trained, likeness};
 use conditions::{OfTracks, conditions};
 use pipeline::chain::class_rule::ClassRule;
 use pipeline::chain::loaded_model::{of_classifier, of_classifier_about};
@@ -48,24 +48,26 @@ const COLUMNS: [&str; 7] = [
 /// A sentence that names file and rule if a shard is damaged, a class is missing, or a setting does not apply
 /// to the learner.
 pub fn run(settings: &ProtocolSettings) -> Result<String, Failure> {
-    if settings.learner == Learner::Trees && settings.iterations.is_some() {
-        return Err(iterations_of_trees());
+    let training = settings.learner.on_signatures();
+    if training.is_some() && settings.iterations.is_some() {
+        return Err(iterations_of_signatures());
     }
     let mut learned = DatasetFolder::open_all(&[&settings.datasets[..], &settings.test].concat())?;
     let tests = learned.split_off(settings.datasets.len());
     if let Some(out) = &settings.out {
         files::claim(std::slice::from_ref(out))?;
     }
-    let page = match settings.learner {
-        Learner::Trees => of_trees(settings, &learned, &tests)?,
-        Learner::Paper => paper::page(settings, &learned)?,
+    let page = match training {
+        Some(training) => of_signatures(settings, &training, &learned, &tests)?,
+        None => paper::page(settings, &learned)?,
     };
     settings.out.as_ref().map_or(Ok(()), |out| files::write_file(out, page.as_bytes()))?;
     Ok(page)
 }
 
-fn of_trees(
+fn of_signatures(
     settings: &ProtocolSettings,
+    training: &SignatureTraining,
     datasets: &[DatasetFolder],
     of_tests: &[DatasetFolder],
 ) -> Result<String, Failure> {
@@ -86,9 +88,7 @@ fn of_trees(
     for seed in 1..=settings.seeds {
         let before = (seed - 1) as usize;
         let all = settings.seeds as usize;
-        let one = train_trees(&learned, &TreeSettings::default(), seed, &mut |at, of| {
-            work.at(before * of + at, all * of)
-        });
+        let one = training.train(&learned, seed, &mut |at, of| work.at(before * of + at, all * of));
         trained.push(one.map_err(of_classifier)?);
     }
     drop(work);
@@ -106,12 +106,12 @@ fn of_trees(
     if settings.curves {
         let tests: Vec<(String, &Sightings)> =
             settings.test.iter().map(|folder| name_of(folder)).zip(&tests).collect();
-        page += &curves::page(&learned, &trained[0], &tests)?;
+        page += &curves::page(training, &learned, &trained[0], &tests)?;
     }
     Ok(page)
 }
 
-fn page(protocols: &[Protocol<'_>], trained: &[TrainedTrees]) -> String {
+fn page(protocols: &[Protocol<'_>], trained: &[Trained]) -> String {
     let mut rows = Vec::new();
     for protocol in protocols {
         for (array, kept) in ARRAYS {
@@ -155,7 +155,7 @@ fn row(name: &str, array: &str, told: &[[Part; 2]]) -> [String; 7] {
 }
 
 /// Reliability diagram as a table: accuracy of answers by their probability, by frame.
-fn reliability(protocols: &[Protocol<'_>], trained: &TrainedTrees) -> String {
+fn reliability(protocols: &[Protocol<'_>], trained: &Trained) -> String {
     let mut table = String::from(
         "\nReliability: mean probability of the likeliest class / share of these answers that is right, % (answers), by frame, seed 1:\n\n",
     );
@@ -192,7 +192,7 @@ const THRESHOLDS: [f32; 5] = [0.3, 0.4, 0.5, 0.6, 0.7];
 
 /// Table of the share of each protocol's frames that are right, wrong and unknown, %, by the least
 /// probability of an answer.
-fn by_threshold(protocols: &[Protocol<'_>], trained: &TrainedTrees) -> String {
+fn by_threshold(protocols: &[Protocol<'_>], trained: &Trained) -> String {
     let line = |name: &str, cell: &dyn Fn(f32) -> String| {
         iter::once(name.to_owned()).chain(THRESHOLDS.map(cell)).collect::<Vec<_>>()
     };
@@ -210,7 +210,7 @@ fn by_threshold(protocols: &[Protocol<'_>], trained: &TrainedTrees) -> String {
 
 /// Table of the accuracy on a protocol's vehicles by the conditions of their sightings; those without a line
 /// beside their shard have a row of their own.
-fn by_condition(protocol: &Protocol<'_>, known: &OfTracks, trained: &TrainedTrees) -> String {
+fn by_condition(protocol: &Protocol<'_>, known: &OfTracks, trained: &Trained) -> String {
     let untold = conditions::untold();
     let mut of: BTreeMap<(usize, &str, &conditions::Bin), Protocol<'_>> = BTreeMap::new();
     for &(seen, source) in &protocol.seen {

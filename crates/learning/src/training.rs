@@ -1,12 +1,12 @@
 //! Training (`train`): a dataset to a model with its curves and its evaluation.
 //!
-//! Trees are trained here, the paper's network in a separate program.
+//! Models of signatures are trained here, the paper's network in a separate program.
 
 mod settings;
 pub(crate) mod interval_text;
 mod lone_vehicles;
 pub(crate) mod network;
-mod trees;
+mod signatures;
 
 use pipeline::chain::loaded_model::of_classifier_about;
 use pipeline::host::dataset_folders::DatasetFolder;
@@ -31,26 +31,28 @@ pub fn run(settings: &TrainingSettings) -> Result<(), Failure> {
     }
     let datasets: Vec<Vec<PathBuf>> = opened.into_iter().map(|dataset| dataset.shards).collect();
     files::claim(&classifier::MODEL_FILES.map(|name| settings.out.join(name)))?;
-    match settings.learner {
-        Learner::Trees => trees::train(settings, &datasets),
-        Learner::Paper => network::train(settings, &datasets.concat()),
+    match settings.learner.on_signatures() {
+        Some(training) => signatures::train(settings, &training, &datasets),
+        None => network::train(settings, &datasets.concat()),
     }
 }
 
 /// Refuses settings that do not apply to the learner.
 fn check(settings: &TrainingSettings) -> Result<(), Failure> {
     match (settings.learner, &settings.attributions) {
-        (Learner::Trees, _) if settings.iterations.is_some() => Err(iterations_of_trees()),
+        (Learner::Profile | Learner::Trees, _) if settings.iterations.is_some() => {
+            Err(iterations_of_signatures())
+        }
         (Learner::Paper, Some(file)) => Err(Failure::System(format!(
-            "{}: --attributions is for --learner trees: a model of the network would not name them",
+            "{}: --attributions is for --learner profile and trees: the paper's network would not name them",
             file.display()
         ))),
         _ => Ok(()),
     }
 }
 
-/// Refusal of optimizer steps for trees.
-pub(crate) fn iterations_of_trees() -> Failure {
-    let rule = "--iterations is for --learner paper: trees have no steps, they end where they are best";
+/// Refusal of a number of steps for a training on signatures.
+pub(crate) fn iterations_of_signatures() -> Failure {
+    let rule = "--iterations is for --learner paper: the length of the other trainings is no option";
     Failure::System(rule.to_owned())
 }

@@ -2,6 +2,7 @@
 
 use crate::ensembles::boosting::Table;
 use crate::error::ClassifierError;
+use crate::signatures::cells::inputs;
 use crate::signatures::features::features;
 use artifact::ArtifactError;
 use artifact::dataset::{Sample, Split};
@@ -21,6 +22,8 @@ pub type TrackKey = (usize, u64, u32);
 pub struct Seen {
     /// Features in the order of [`crate::feature_names`].
     pub features: Vec<f32>,
+    /// Inputs of networks over range cells.
+    pub cells: Vec<f32>,
     /// Index in [`Class::ALL`].
     pub class: usize,
     /// Vehicle model.
@@ -68,6 +71,7 @@ impl Sightings {
             };
             self.all.push(Seen {
                 features: features(&sample.signature).into_iter().map(|(_, value)| value as f32).collect(),
+                cells: inputs(&sample.signature),
                 class,
                 model: sample.model,
                 track: (dataset, sample.scene, sample.target),
@@ -171,7 +175,15 @@ mod tests {
 
     fn seen(model: &str) -> Seen {
         let model = model.to_owned();
-        Seen { features: vec![], class: 0, model, track: (0, 0, 0), split: Split::Train, has_rows: false }
+        Seen {
+            features: vec![],
+            cells: vec![],
+            class: 0,
+            model,
+            track: (0, 0, 0),
+            split: Split::Train,
+            has_rows: false,
+        }
     }
 
     #[test]

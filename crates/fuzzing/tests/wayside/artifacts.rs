@@ -55,6 +55,7 @@ fn write<K: Kind>(noise: &mut Noise, folder: &Path) {
     note(folder, &noise.pick(K::COMMANDS).replace("@F", &format!("@{file}")));
     // Whatever the command reads beside it.
     sound::of_run(folder, "frames.points");
+    sound::profile(folder);
     sound::trees(folder);
     sound::network(folder);
     sound::dataset(folder);
@@ -123,6 +124,7 @@ impl Kind for Rdm {
         "export @F --to png --axes on --out @O.png",
         "export @F --to raddet --scene @sound/run/scene.scene --out @O-raddet",
         "export @F --to carrada --out @O-carrada",
+        "classify @sound/profile.model @F",
         "classify @sound/trees.model @F",
         "classify @sound/network.model @F",
     ];
@@ -170,13 +172,15 @@ impl Kind for Dataset {
         "export @F --to csv --out @O",
         "export @F --to npy --out @O.npy",
         "export @F --to png --out @O",
+        "classify @sound/profile.model @F",
         "classify @sound/trees.model @F",
         "classify @sound/network.model @f",
+        "evaluate @sound/profile.model @f",
         "evaluate @sound/trees.model @f",
         "evaluate @sound/network.model @f --out @O",
-        "train @f --out @O",
+        "train @f --learner trees --out @O",
         "train @sound/d @f --out @O",
-        "protocols @f --seeds 1",
+        "protocols @f --learner trees --seeds 1",
     ];
 
     fn sound(folder: &Path) -> Vec<PathBuf> {
@@ -196,7 +200,7 @@ impl Kind for Model {
     ];
 
     fn sound(folder: &Path) -> Vec<PathBuf> {
-        vec![sound::trees(folder), sound::network(folder)]
+        vec![sound::profile(folder), sound::trees(folder), sound::network(folder)]
     }
 }
 

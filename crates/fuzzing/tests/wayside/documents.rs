@@ -151,5 +151,5 @@ fn write_attributions(noise: &mut Noise, folder: &Path) {
     sound::dataset(folder);
     let whole = include_str!("../../../../fixtures/classifier.attributions.txt");
     put(folder, "a.txt", &changed_text(noise, whole.as_bytes(), &with_signs(&WORDS)));
-    note(folder, "train @sound/d --attributions @a.txt --out @O");
+    note(folder, "train @sound/d --learner trees --attributions @a.txt --out @O");
 }

@@ -98,7 +98,7 @@ fn write_lines(noise: &mut Noise, folder: &Path) {
             let words = "dataset @sound/recipe.toml --out @O --shard 4294967295/4294967295";
             (made_by_recipe.join("shard-0000.dataset"), words)
         }
-        true => (sound::dataset(folder), "protocols @O --seeds 1"),
+        true => (sound::dataset(folder), "protocols @O --learner trees --seeds 1"),
     };
     std::fs::create_dir(out(folder)).unwrap();
     std::fs::copy(shard, out(folder).join("shard-0000.dataset")).unwrap();

@@ -3,7 +3,7 @@
 use crate::protocols::protocol_set::{of_test, of_training, told};
 use artifact::dataset::Split;
 use artifact::seed;
-use classifier::{ClassifierError, Part, Seen, Sightings, TrainedTrees, TreeSettings, train_trees};
+use classifier::{ClassifierError, Part, Seen, Sightings, SignatureTraining, Trained};
 use pipeline::chain::loaded_model::of_classifier;
 use pipeline::host::failure::Failure;
 use pipeline::host::progress::Work;
@@ -21,8 +21,9 @@ type Keeps = fn(&Seen, f64) -> bool;
 /// Makes one table over scenes and one over vehicles; each row except that of the `whole` is a new training.
 /// `tests` are names and test data.
 pub(super) fn page(
+    training: &SignatureTraining,
     learned: &Sightings,
-    whole: &TrainedTrees,
+    whole: &Trained,
     tests: &[(String, &Sightings)],
 ) -> Result<String, Failure> {
     let work = Work::begin("learning curves");
@@ -32,7 +33,7 @@ pub(super) fn page(
         page += &heading(what, tests);
         for (at, share) in SHARES.into_iter().enumerate() {
             let part = part_of(learned, share, keeps);
-            let trained = train_trees(&part, &TreeSettings::default(), SEED, &mut |done, of| {
+            let trained = training.train(&part, SEED, &mut |done, of| {
                 work.at((curve * SHARES.len() + at) * of + done, 2 * SHARES.len() * of);
             });
             let row = match trained {
@@ -81,7 +82,7 @@ fn is_drawn(index: &[u64], share: f64) -> bool {
     f64::from(u32::from_le_bytes([a, b, c, d])) < share * f64::from(u32::MAX) + 0.5
 }
 
-fn row(part: &Sightings, trained: &TrainedTrees, tests: &[(String, &Sightings)]) -> String {
+fn row(part: &Sightings, trained: &Trained, tests: &[(String, &Sightings)]) -> String {
     let by_test = |(name, test): &(String, &Sightings)| told(&of_test(name.clone(), test), trained, |_| true);
     let own = of_training(part, &[]);
     let of_own = |letter: &str| {

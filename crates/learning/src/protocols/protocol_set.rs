@@ -1,8 +1,7 @@
 //! Protocols that evaluate a training: the sightings of each, and its answers to them.
 
 use artifact::dataset::Split;
-use artifact::model::Weights;
-use classifier::{Logits, Part, Seen, Sightings, TrainedTrees, parts, tree_logits};
+use classifier::{Logits, Part, Seen, Sightings, Trained, answer, parts};
 use pipeline::host::safe_text::in_markdown;
 use std::path::{Path, PathBuf};
 
@@ -17,7 +16,7 @@ pub(super) struct Protocol<'a> {
 pub(super) enum AnswerSource {
     /// Answer from the training, with this number.
     Trained(usize),
-    /// Answer by the finished trees.
+    /// Answer by the finished model.
     Test,
 }
 
@@ -58,20 +57,15 @@ pub(super) fn of_test(name: String, test: &Sightings) -> Protocol<'_> {
 
 /// Metrics of a training on those of a protocol's sightings that are `kept`, by frame and by track; `None`
 /// without any.
-pub(super) fn told(protocol: &Protocol<'_>, trained: &TrainedTrees, kept: Kept) -> Option<[Part; 2]> {
+pub(super) fn told(protocol: &Protocol<'_>, trained: &Trained, kept: Kept) -> Option<[Part; 2]> {
     let (seen, logits): (Vec<&Seen>, Vec<Logits>) = answers(protocol, trained, kept).into_iter().unzip();
     (!seen.is_empty()).then(|| parts(&seen, &logits, trained.metrics.frame_correlation))
 }
 
-pub(super) fn answers<'a>(
-    protocol: &Protocol<'a>,
-    trained: &TrainedTrees,
-    kept: Kept,
-) -> Vec<(&'a Seen, Logits)> {
-    let Weights::Trees(trees) = &trained.weights else { return vec![] };
-    let answer = |&(seen, source): &(&'a Seen, AnswerSource)| match source {
+pub(super) fn answers<'a>(protocol: &Protocol<'a>, trained: &Trained, kept: Kept) -> Vec<(&'a Seen, Logits)> {
+    let answered = |&(seen, source): &(&'a Seen, AnswerSource)| match source {
         AnswerSource::Trained(number) => (seen, trained.told[number]),
-        AnswerSource::Test => (seen, tree_logits(trees, &seen.features)),
+        AnswerSource::Test => (seen, answer(&trained.weights, seen)),
     };
-    protocol.seen.iter().filter(|(seen, _)| kept(seen)).map(answer).collect()
+    protocol.seen.iter().filter(|(seen, _)| kept(seen)).map(answered).collect()
 }

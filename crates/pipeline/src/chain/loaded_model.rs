@@ -77,13 +77,13 @@ impl LoadedModel {
         points: &PointsFrame,
     ) -> Result<Vec<[f32; 4]>, Failure> {
         match (self.ready()?, &self.header.learner) {
-            (Ready::Signatures(trees), _) => by_signatures(trees, receiver, rdm, points),
+            (Ready::Signatures(model), _) => by_signatures(model, receiver, rdm, points),
             (Ready::Crops(network), Learner::CropNetwork(shape)) => {
                 let cropper = receiver.cropper(rdm, &shape.format).map_err(Failure::refused)?;
                 by_crops(network, &cropper, points)
             }
-            (Ready::Crops(_), Learner::BoostedTrees { .. }) => {
-                Err(Failure::refused("trees look at no crops"))
+            (Ready::Crops(_), Learner::BoostedTrees { .. } | Learner::ProfileNetworks(_)) => {
+                Err(Failure::refused("a model of signatures looks at no crops"))
             }
         }
     }
@@ -91,8 +91,8 @@ impl LoadedModel {
     /// Probabilities of the samples of a dataset.
     pub fn of_samples(&self, samples: &[Sample]) -> Result<Vec<[f32; 4]>, Failure> {
         match self.ready()? {
-            Ready::Signatures(trees) => {
-                Ok(samples.iter().map(|s| trees.probabilities(&s.signature)).collect())
+            Ready::Signatures(model) => {
+                Ok(samples.iter().map(|s| model.probabilities(&s.signature)).collect())
             }
             Ready::Crops(network) => {
                 let crops: Vec<Crop> = samples.iter().map(crop_of).collect::<Result<_, _>>()?;
@@ -105,7 +105,7 @@ impl LoadedModel {
         let (header, weights) = (&self.header, &self.weights);
         let build = || match header.learner {
             Learner::CropNetwork(_) => Classifier::from_model(header, weights).map(Ready::Crops),
-            Learner::BoostedTrees { .. } => {
+            Learner::BoostedTrees { .. } | Learner::ProfileNetworks(_) => {
                 SignatureClassifier::from_model(header, weights).map(Ready::Signatures)
             }
         };
@@ -124,14 +124,14 @@ fn crop_of(sample: &Sample) -> Result<Crop, Failure> {
 }
 
 fn by_signatures(
-    trees: &SignatureClassifier,
+    model: &SignatureClassifier,
     receiver: &dsp::Receiver,
     rdm: &RdmFrame,
     points: &PointsFrame,
 ) -> Result<Vec<[f32; 4]>, Failure> {
     let signatures = receiver.signatures(rdm).map_err(Failure::refused)?;
     let objects = 0..points.objects.len() as u32;
-    let of = |object| signatures.of(points, object).map(|signature| trees.probabilities(&signature));
+    let of = |object| signatures.of(points, object).map(|signature| model.probabilities(&signature));
     objects
         .into_par_iter()
         .map(of)

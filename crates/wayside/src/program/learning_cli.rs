@@ -35,6 +35,7 @@ impl LearningCommand {
 /// Learners.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum LearnerWord {
+    Profile,
     Trees,
     Paper,
 }
@@ -71,8 +72,8 @@ pub struct TrainArguments {
     /// Output folder of the model.
     #[arg(long, value_name = "MODEL")]
     pub(crate) out: PathBuf,
-    /// Learner: boosted trees on signature features, or the paper's network on crops.
-    #[arg(long, value_enum, default_value_t = LearnerWord::Trees)]
+    /// Learner: networks over signatures' range cells, trees on their features, or the paper's on crops.
+    #[arg(long, value_enum, default_value_t = LearnerWord::Profile)]
     pub(crate) learner: LearnerWord,
     /// Seed of all random draws: examples and features of trees, initial weights, order of samples.
     #[arg(long, default_value_t = 1, value_parser = whole(SEEDS, 7))]
@@ -108,9 +109,9 @@ pub struct ProtocolsArguments {
     /// Dataset folders to test on only.
     #[arg(long, value_name = "DIR")]
     pub(crate) test: Vec<PathBuf>,
-    /// Learner: trees, or the paper's network by the paper's protocol (P) and by two that keep copies of a
-    /// map apart.
-    #[arg(long, value_enum, default_value = "trees")]
+    /// Learner: one of signatures, or the paper's network by the paper's protocol (P) and by two that keep
+    /// copies of a map apart.
+    #[arg(long, value_enum, default_value_t = LearnerWord::Profile)]
     pub(crate) learner: LearnerWord,
     /// Steps of the network's optimizer in each training [default: 1440, the paper's number].
     #[arg(long, value_name = "N", value_parser = whole(1..=u32::MAX, 1440))]

@@ -103,7 +103,7 @@ fn filled() -> Workplace {
     place
 }
 
-/// Commands that write to `disk`; MODEL and TREES stand for two files of the project.
+/// Commands that write to `disk`; MODEL and SHIPPED stand for two files of the project.
 const COMMANDS: [&str; 32] = [
     "run small.toml --no-cache --quiet --out disk/o",
     "rcs corner.obj --freq-ghz 76:78:16 --az-deg 0:90:40 --pictures --quiet --out disk/s.npy",
@@ -120,10 +120,10 @@ const COMMANDS: [&str; 32] = [
     "export a/frames.paths --to json --out disk/f.json",
     "export MODEL --to safetensors --out disk/f.safetensors",
     "vehicles --quiet --out disk/v",
-    "train crops --quiet --out disk/m",
+    "train crops --learner trees --quiet --out disk/m",
     "export crops/shard-0000.dataset --to csv --out disk/f.csv",
-    "evaluate TREES crops --out disk/e.md",
-    "protocols crops --seeds 1 --out disk/p.md",
+    "evaluate SHIPPED crops --out disk/e.md",
+    "protocols crops --learner trees --seeds 1 --out disk/p.md",
     "sweep study.toml --no-cache --quiet --out disk/w",
     "scene-from b.cfg --device xwr1443 --out disk/b.toml",
     "export a/frames.cube --to sigmf --out disk/f",
@@ -143,7 +143,7 @@ const COMMANDS: [&str; 32] = [
 fn with_models(words: &str) -> String {
     words
         .replace("MODEL", &Workplace::project_file("fixtures/paper-network.model"))
-        .replace("TREES", &Workplace::project_file("fixtures/classifier.model"))
+        .replace("SHIPPED", &Workplace::project_file("fixtures/classifier.model"))
 }
 
 #[test]

@@ -188,12 +188,12 @@ fn a_vehicle_moves_on_from_frame_to_frame_and_its_samples_are_a_track() {
 }
 
 #[test]
-fn a_dataset_without_images_is_classified_by_trees_and_neither_exported_nor_classified_as_images() {
+fn a_dataset_without_images_is_classified_by_signatures_and_neither_exported_nor_classified_as_images() {
     let place = prepared();
     made(&place, &format!("{NEEDED}crops = false\n{OWN}"), "d");
     let model = Workplace::project_file("fixtures/paper-network.model");
-    let trees = Workplace::project_file("fixtures/classifier.model");
-    assert_eq!(place.try_run(&format!("classify {trees} d")).status.code(), Some(0));
+    let shipped = Workplace::project_file("fixtures/classifier.model");
+    assert_eq!(place.try_run(&format!("classify {shipped} d")).status.code(), Some(0));
     for words in [
         "export d/shard-0000.dataset --to npy --out x.npy".to_owned(),
         "export d/shard-0000.dataset --to png --out x".to_owned(),

@@ -17,8 +17,8 @@ fn prepared() -> Workplace {
     std::fs::write(place.path("a/scenes.jsonl"), (0..4).map(scene).collect::<String>()).unwrap();
     std::fs::write(place.path("a/manifest.jsonl"), "{}\n").unwrap();
     std::fs::create_dir(place.path("m")).unwrap();
-    let trees = Workplace::project_file("fixtures/classifier.model");
-    std::fs::copy(trees, place.path("m/weights.model")).unwrap();
+    let model = Workplace::project_file("fixtures/classifier.model");
+    std::fs::copy(model, place.path("m/weights.model")).unwrap();
     std::fs::write(place.path("m/metrics.json"), "{}\n").unwrap();
     place
 }

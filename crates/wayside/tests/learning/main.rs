@@ -7,5 +7,6 @@ mod calibration;
 mod datasets;
 mod folders;
 mod labels;
+mod learners;
 mod parts;
 mod protocols;

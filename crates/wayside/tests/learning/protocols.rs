@@ -11,8 +11,8 @@ fn scenes_vehicles_and_other_datasets_are_rows_of_one_table_and_two_runs_say_the
         r#"{"target":0,"estimate":{"snr_db":12.0},"range_m":40.0,"x_m":0.0,"y_m":40.0,"yaw_deg":0.0}"#;
     let scene = format!(r#"{{"scene":0,"is_queue":false,"frames":[{{"vehicles":[{vehicle}]}}]}}"#);
     std::fs::write(place.path("a/shard-0000.jsonl"), scene + "\n").unwrap();
-    let words = "protocols a --test b --seeds 2 --curves --quiet --out p.md";
-    let said = place.run(words);
+    let words = "protocols a --test b --learner trees --seeds 2 --curves --quiet";
+    let said = place.run(&format!("{words} --out p.md"));
     assert_eq!(place.bytes("p.md"), said.as_bytes());
     for row in [
         "| S: scenes of the test split | all |",
@@ -46,7 +46,7 @@ fn scenes_vehicles_and_other_datasets_are_rows_of_one_table_and_two_runs_say_the
     assert!(said.contains("| aspect, ° | to 20 | 1 |"), "{said}");
     assert!(said.contains("Learning curve over vehicles"), "{said}");
     assert!(said.contains("| car | 0.50 | 0.50 | 0.50 | – |"), "{said}");
-    place.run("protocols a --test b --seeds 2 --curves --quiet --out q.md");
+    place.run(&format!("{words} --out q.md"));
     assert_eq!(place.bytes("p.md"), place.bytes("q.md"));
 }
 
@@ -75,11 +75,11 @@ fn a_folder_without_shards_is_refused_by_its_name() {
 }
 
 #[test]
-fn what_is_asked_of_trees_is_refused_of_the_papers_network() {
+fn what_is_asked_of_models_of_signatures_is_refused_of_the_papers_network() {
     let place = Workplace::new();
     crops::write(&place.path("a"), 5);
     let output = place.try_run("protocols a --learner paper --curves");
     assert_eq!(output.status.code(), Some(1));
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert!(said.contains("--test and --curves are asked of trees"), "{said}");
+    assert!(said.contains("--test and --curves are for --learner profile and trees"), "{said}");
 }

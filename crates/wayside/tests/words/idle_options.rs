@@ -58,11 +58,13 @@ fn an_option_that_means_nothing_to_the_learner_is_refused() {
         "m",
         &[
             ("train d --iterations 3", &["--iterations is for --learner paper"]),
+            ("train d --learner trees --iterations 3", &["--iterations is for --learner paper"]),
             (
                 "train d --learner paper --attributions who.txt",
-                &["who.txt", "--attributions is for --learner trees"],
+                &["who.txt", "--attributions is for --learner profile and trees"],
             ),
             ("protocols d --iterations 3", &["--iterations is for --learner paper"]),
+            ("protocols d --learner trees --iterations 3", &["--iterations is for --learner paper"]),
             ("dataset spec.toml --dry-run --shard 1/2", &["--dry-run", "--shard"]),
         ],
     );

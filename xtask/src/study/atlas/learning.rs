@@ -6,7 +6,7 @@ use crate::study::atlas::{CaseRow, Says};
 use crate::study::extent::Extent;
 use artifact::dataset::Split;
 use artifact::model::Weights;
-use classifier::{BoostingSettings, Seen, Sightings, TrainedTrees, TreeSettings, train_trees, tree_logits};
+use classifier::{BoostingSettings, Seen, Sightings, Trained, TreeSettings, train_trees, tree_logits};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use wayside::host::failure::Failure;
@@ -39,7 +39,15 @@ fn sighting(random: &mut ChaCha8Rng, class: usize, told: usize, vehicle: u64) ->
         .map(|value| value as f32)
         .collect();
     let model = format!("vehicle-{class}-{vehicle}");
-    Seen { features, class, model, track: (0, vehicle, class as u32), split: Split::Train, has_rows: false }
+    Seen {
+        features,
+        cells: vec![],
+        class,
+        model,
+        track: (0, vehicle, class as u32),
+        split: Split::Train,
+        has_rows: false,
+    }
 }
 
 fn sightings(each: u64, seed: u64, told: impl Fn(&mut ChaCha8Rng, usize) -> usize) -> Sightings {
@@ -55,7 +63,7 @@ fn sightings(each: u64, seed: u64, told: impl Fn(&mut ChaCha8Rng, usize) -> usiz
 }
 
 /// Share of a thousand new sightings that a model classifies correctly.
-fn true_accuracy(trained: &TrainedTrees, of: &Sightings) -> f64 {
+fn true_accuracy(trained: &Trained, of: &Sightings) -> f64 {
     let Weights::Trees(trees) = &trained.weights else { return 0.0 };
     let is_right = |seen: &&Seen| {
         let logits = tree_logits(trees, &seen.features);
@@ -64,7 +72,7 @@ fn true_accuracy(trained: &TrainedTrees, of: &Sightings) -> f64 {
     of.all.iter().filter(is_right).count() as f64 / of.all.len() as f64
 }
 
-fn trained(sightings: &Sightings) -> Result<TrainedTrees, Failure> {
+fn trained(sightings: &Sightings) -> Result<Trained, Failure> {
     train_trees(sightings, &SETTINGS, 1, &mut |_, _| ()).map_err(Failure::refused)
 }
 

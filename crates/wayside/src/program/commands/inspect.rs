@@ -5,7 +5,7 @@ use crate::program::terminal::{call_off, line};
 use artifact::classes::Classes;
 use artifact::cube::{Cube, CubeHeader};
 use artifact::dataset::Dataset;
-use artifact::model::{Learner, Model, Weights};
+use artifact::model::{Learner, Model, ProfileNetwork, Weights};
 use artifact::paths::{Paths, TargetDetail};
 use artifact::points::Points;
 use artifact::rcs::Rcs;
@@ -312,20 +312,41 @@ fn model(mut reader: Reader<Model>) -> Result<(), Failure> {
         Learner::BoostedTrees { features } => {
             format!("trees        of {} features of signatures", features.len())
         }
+        Learner::ProfileNetworks(shape) => format!(
+            "networks     over {} range cells of signatures, {} quantities of each, {} of the whole",
+            shape.cells,
+            shape.of_cells.len(),
+            shape.of_object.len()
+        ),
     });
     line(format!("classes      {}", classes.join(", ")));
-    let weights = reader.next_frame()?;
-    let (told, sound) = match &weights {
-        Some(Weights::Network { safetensors }) => {
-            (format!("{} bytes of safetensors", safetensors.len()), !safetensors.is_empty())
-        }
-        Some(Weights::Trees(trees)) => {
-            (format!("{} trees", trees.trees.len()), trees.temperature.is_finite() && trees.temperature > 0.0)
-        }
-        None => ("none".into(), false),
-    };
+    let (told, sound) = reader.next_frame()?.map_or(("none".into(), false), |weights| of_weights(&weights));
     line(format!("weights      {told}, {}", SANITY[usize::from(sound)]));
     line(format!("unknown      below a probability of {:.2}", header.least_probability));
     header.attributions.iter().for_each(|whose| line(format!("learned from {whose}")));
     Ok(())
+}
+
+/// Number of the parameters in words, and whether they are sound.
+fn of_weights(weights: &Weights) -> (String, bool) {
+    let is_divisor = |temperature: f32| temperature.is_finite() && temperature > 0.0;
+    match weights {
+        Weights::Network { safetensors } => {
+            (format!("{} bytes of safetensors", safetensors.len()), !safetensors.is_empty())
+        }
+        Weights::Trees(trees) => (format!("{} trees", trees.trees.len()), is_divisor(trees.temperature)),
+        Weights::Profile(networks) => {
+            let (of, values) = (networks.members.len(), || networks.members.iter().flat_map(values_of));
+            let sound = of > 0 && is_divisor(networks.temperature) && values().all(f32::is_finite);
+            (format!("{} in {of} networks", values().count()), sound)
+        }
+    }
+}
+
+/// Weights and biases of a network over range cells, layer by layer.
+fn values_of(network: &ProfileNetwork) -> impl Iterator<Item = f32> {
+    let convolutions = network.convolutions.iter().flat_map(|layer| layer.weights.iter().chain(&layer.bias));
+    let dense = [&network.hidden, &network.output];
+    let dense = dense.into_iter().flat_map(|layer| layer.weights.iter().chain(&layer.bias));
+    convolutions.chain(dense).copied()
 }

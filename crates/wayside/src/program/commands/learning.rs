@@ -91,6 +91,7 @@ fn of_protocols(arguments: &ProtocolsArguments) -> protocols::ProtocolSettings<'
 
 fn learner_of(word: LearnerWord) -> Learner {
     match word {
+        LearnerWord::Profile => Learner::Profile,
         LearnerWord::Trees => Learner::Trees,
         LearnerWord::Paper => Learner::Paper,
     }

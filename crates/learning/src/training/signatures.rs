@@ -1,13 +1,11 @@
-//! Boosted trees from datasets: `weights.model`, `metrics.json`, `curves.csv`.
+//! Models of signatures from datasets: `weights.model`, `metrics.json`, `curves.csv`.
 
 use crate::training::interval_text::told_interval;
 use crate::training::lone_vehicles::note_lone_vehicles;
 use crate::training::settings::TrainingSettings;
 use artifact::model::Model;
 use artifact::{Provenance, Writer, bounded};
-use classifier::{
-    CURVES_FILE, METRICS_FILE, Part, Sightings, TrainedTrees, TreeSettings, WEIGHTS_FILE, train_trees,
-};
+use classifier::{CURVES_FILE, METRICS_FILE, Part, Sightings, SignatureTraining, Trained, WEIGHTS_FILE};
 use pipeline::chain::loaded_model::{of_classifier, of_classifier_about};
 use pipeline::chain::loading;
 use pipeline::host::failure::Failure;
@@ -20,17 +18,20 @@ use std::path::PathBuf;
 const ATTRIBUTIONS_LIMIT_BYTES: u64 = 1 << 20;
 
 /// Reads all shards, trains, writes the folder and reports the metrics.
-pub(super) fn train(settings: &TrainingSettings, datasets: &[Vec<PathBuf>]) -> Result<(), Failure> {
+pub(super) fn train(
+    settings: &TrainingSettings,
+    training: &SignatureTraining,
+    datasets: &[Vec<PathBuf>],
+) -> Result<(), Failure> {
     let attributions = attributions(settings)?;
     let (sightings, inputs) = loading::read_of(&datasets.concat(), || sightings(datasets))?;
-    let of_trees = TreeSettings::default();
     let work = Work::begin("training");
-    let trained = train_trees(&sightings, &of_trees, settings.seed, &mut |at, of| work.at(at, of));
+    let trained = training.train(&sightings, settings.seed, &mut |at, of| work.at(at, of));
     let mut trained = trained.map_err(of_classifier)?;
     drop(work);
     note_lone_vehicles(&sightings);
     trained.header.attributions = attributions;
-    save(settings, &trained, &provenance(settings, inputs, &of_trees)?)?;
+    save(settings, training, &trained, &provenance(settings, training, inputs)?)?;
     told(&trained).iter().for_each(|line| (settings.tell)(line));
     Ok(())
 }
@@ -55,24 +56,33 @@ fn attributions(settings: &TrainingSettings) -> Result<Vec<String>, Failure> {
 
 fn provenance(
     settings: &TrainingSettings,
+    training: &SignatureTraining,
     inputs: Vec<(String, String)>,
-    of_trees: &TreeSettings,
 ) -> Result<Provenance, Failure> {
     Ok(Provenance {
         stage: "classifier".into(),
         program_version: env!("CARGO_PKG_VERSION").into(),
         inputs,
-        settings: serde_json::to_string(of_trees).map_err(Failure::refused)?,
+        settings: serde_json::to_string(training).map_err(Failure::refused)?,
         seed: settings.seed,
     })
 }
 
 /// Writes the folder; the weights come last, so that they mark a complete one.
-fn save(settings: &TrainingSettings, trained: &TrainedTrees, provenance: &Provenance) -> Result<(), Failure> {
+fn save(
+    settings: &TrainingSettings,
+    training: &SignatureTraining,
+    trained: &Trained,
+    provenance: &Provenance,
+) -> Result<(), Failure> {
     let mut metrics = serde_json::to_vec_pretty(&trained.metrics).map_err(Failure::refused)?;
     metrics.push(b'\n');
     files::write_file(&settings.out.join(METRICS_FILE), &metrics)?;
-    let mut curve = String::from("trees,log_loss_on_unseen_vehicles\n");
+    let rounds = match training {
+        SignatureTraining::Trees(_) => "trees",
+        SignatureTraining::Profile(_) => "epochs",
+    };
+    let mut curve = format!("{rounds},log_loss_on_unseen_vehicles\n");
     for (round, loss) in trained.curve.iter().enumerate() {
         let _ = writeln!(curve, "{},{loss:.6}", round + 1);
     }
@@ -82,7 +92,7 @@ fn save(settings: &TrainingSettings, trained: &TrainedTrees, provenance: &Proven
     Ok(writer.finish()?)
 }
 
-fn told(trained: &TrainedTrees) -> Vec<String> {
+fn told(trained: &Trained) -> Vec<String> {
     let m = &trained.metrics;
     let line = |name: &str, part: &Part| {
         let interval = told_interval(part.by_vehicle.interval);

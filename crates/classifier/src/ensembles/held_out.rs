@@ -1,0 +1,83 @@
+//! Answers for vehicles that a training never saw: they are held out in turn, whole.
+
+use crate::crops::network::Logits;
+use crate::ensembles::vehicles::Sightings;
+use crate::error::ClassifierError;
+use crate::evaluation::metrics::log_softmax;
+use artifact::settings::Class;
+use std::collections::BTreeMap;
+
+/// Refuses training without a class.
+pub(crate) fn check_classes(sightings: &Sightings, learned: &[usize]) -> Result<(), ClassifierError> {
+    let is_seen = |class: usize| learned.iter().any(|i| sightings.all[*i].class == class);
+    match (0..Class::ALL.len()).find(|class| !is_seen(*class)) {
+        Some(missing) => Err(ClassifierError::MissingClass { class: Class::ALL[missing] }),
+        None => Ok(()),
+    }
+}
+
+/// Training sightings that measure the accuracy: unmodified vehicles, if there are any. The two families of a
+/// cross are rarely held out together.
+pub(crate) fn judged(sightings: &Sightings, learned: &[usize]) -> Vec<usize> {
+    let plain: Vec<usize> = learned.iter().copied().filter(|i| !sightings.all[*i].is_cross()).collect();
+    if plain.is_empty() { learned.to_vec() } else { plain }
+}
+
+/// Logits of vehicles by trainings that never saw them.
+pub(crate) struct HeldOut {
+    /// Logits, `[round][sighting]`.
+    pub(crate) logits: Vec<Vec<Logits>>,
+    classes: Vec<usize>,
+    weights: Vec<f64>,
+}
+
+impl HeldOut {
+    /// Log loss after each round.
+    pub(crate) fn curve(&self) -> Vec<f64> {
+        let total: f64 = self.weights.iter().sum();
+        let loss = |round: &Vec<Logits>| {
+            let one =
+                |(i, l): (usize, &Logits)| -self.weights[i] * log_softmax(l.map(f64::from))[self.classes[i]];
+            round.iter().enumerate().map(one).sum::<f64>() / total
+        };
+        self.logits.iter().map(loss).collect()
+    }
+
+    /// True class, answer and weight of each sighting after a round.
+    pub(crate) fn weighted(&self, round: usize) -> Vec<(usize, Logits, f64)> {
+        let answers = self.logits[round].iter().zip(&self.classes).zip(&self.weights);
+        answers.map(|((logits, class), weight)| (*class, *logits, *weight)).collect()
+    }
+
+    pub(crate) fn best_round(&self) -> usize {
+        let curve = self.curve();
+        (0..curve.len()).fold(0, |best, round| if curve[round] < curve[best] { round } else { best })
+    }
+}
+
+/// Logits of held-out sightings after each round, `[round][sighting]`, of a training on the first numbers;
+/// the second are those of the sightings to be answered.
+pub(crate) type OfFold<'a> = &'a mut dyn FnMut(&[usize], &[usize]) -> Vec<Vec<Logits>>;
+
+/// Holds out each fold of vehicles once.
+pub(crate) fn held_out(
+    sightings: &Sightings,
+    [learned, judged]: [&[usize]; 2],
+    [folds, rounds]: [usize; 2],
+    seed: u64,
+    of_fold: OfFold<'_>,
+) -> HeldOut {
+    let of_sightings = sightings.folds(learned, folds, seed);
+    let fold_of: BTreeMap<usize, [usize; 2]> = learned.iter().copied().zip(of_sightings).collect();
+    let mut logits = vec![vec![[0.0; 4]; judged.len()]; rounds];
+    for fold in 0..folds {
+        let out: Vec<usize> = (0..judged.len()).filter(|at| fold_of[&judged[*at]][0] == fold).collect();
+        let kept: Vec<usize> = learned.iter().copied().filter(|i| !fold_of[i].contains(&fold)).collect();
+        let asked: Vec<usize> = out.iter().map(|at| judged[*at]).collect();
+        for (all, told) in logits.iter_mut().zip(of_fold(&kept, &asked)) {
+            out.iter().zip(told).for_each(|(at, logits)| all[*at] = logits);
+        }
+    }
+    let table = sightings.table(judged);
+    HeldOut { logits, classes: table.classes, weights: table.weights }
+}

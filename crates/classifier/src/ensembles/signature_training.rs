@@ -1,0 +1,35 @@
+//! A training on signatures: trees on features, or networks over range cells.
+
+use crate::ensembles::profile_training::{ProfileSettings, train_networks};
+use crate::ensembles::trained::Trained;
+use crate::ensembles::tree_training::{TreeSettings, train_trees};
+use crate::ensembles::vehicles::Sightings;
+use crate::error::ClassifierError;
+use serde::Serialize;
+
+/// Kind of the model to be trained, with its settings.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub enum SignatureTraining {
+    /// Boosted trees on named features.
+    Trees(TreeSettings),
+    /// Networks over range cells.
+    Profile(ProfileSettings),
+}
+
+impl SignatureTraining {
+    /// Trains on all sightings except those of the test split; progress is reported as (rounds done, rounds
+    /// in all).
+    ///
+    /// The same sightings, settings and seed give the same model on any number of threads.
+    pub fn train(
+        &self,
+        sightings: &Sightings,
+        seed: u64,
+        heard: &mut dyn FnMut(usize, usize),
+    ) -> Result<Trained, ClassifierError> {
+        match self {
+            Self::Trees(settings) => train_trees(sightings, settings, seed, heard),
+            Self::Profile(settings) => train_networks(sightings, settings, seed, heard),
+        }
+    }
+}
