@@ -3,10 +3,10 @@
 use crate::commands::carry_out;
 use crate::envelope::{Envelope, encoded};
 use artifact::dataset::{Crop, CropFormat, Dataset, Sample, Split};
-use artifact::model::{BoostedTrees, Learner, Model, ModelHeader, NetworkShape, Node, Tree, Weights};
+use artifact::model::{Learner, Model, ModelHeader, NetworkShape, Weights};
 use artifact::settings::Class;
 use artifact::signature::{Signature, SignatureCell};
-use classifier::{ARCHITECTURE, Layout, Parameters, Values, feature_names};
+use classifier::{ARCHITECTURE, Layout, Parameters, Values};
 use std::path::{Path, PathBuf};
 
 /// A scene that takes a tenth of a second: a small radar, a plate and a point.
@@ -89,45 +89,26 @@ fn exported(folder: &Path, set: &str) {
     made(folder, &format!("export {points} --to {set} --out @sound/{set}"));
 }
 
-/// The model that ships, with its first network alone.
-pub(crate) fn profile(folder: &Path) -> PathBuf {
-    place(folder, "profile.model", |at| {
+/// The model that ships, with its first trees alone.
+pub(crate) fn trees(folder: &Path) -> PathBuf {
+    place(folder, "trees.model", |at| {
         let shipped = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/classifier.model");
         let mut envelope = Envelope::of(&std::fs::read(shipped).unwrap());
         let weights: Weights = envelope.decoded(2).unwrap();
-        let Weights::Profile(mut networks) = weights else { panic!("networks over range cells ship") };
-        networks.members.truncate(1);
-        envelope.records[2] = encoded(&Weights::Profile(networks));
-        std::fs::write(at.join("sound/profile.model"), envelope.sealed()).unwrap();
-    })
-}
-
-/// Two small trees.
-pub(crate) fn trees(folder: &Path) -> PathBuf {
-    place(folder, "trees.model", |at| {
-        let features = feature_names().into_iter().map(str::to_owned).collect();
-        let header = header_of(Learner::BoostedTrees { features });
-        let tree = |feature| Tree {
-            nodes: vec![
-                Node::Split { feature, threshold: 10.0, below: 1, above: 2 },
-                Node::Leaf([0.5, 0.0, 0.0, -0.5]),
-                Node::Leaf([-0.5, 0.0, 0.5, 0.0]),
-            ],
-        };
-        let trees = BoostedTrees { prior: [0.0; 4], temperature: 1.0, trees: vec![tree(0), tree(1)] };
-        let envelope = Envelope::new::<Model>(&header, &[Weights::Trees(trees)]);
+        let Weights::Trees(mut trees) = weights else { panic!("trees ship") };
+        trees.trees.truncate(3);
+        envelope.records[2] = encoded(&Weights::Trees(trees));
         std::fs::write(at.join("sound/trees.model"), envelope.sealed()).unwrap();
     })
 }
 
-fn header_of(learner: Learner) -> ModelHeader {
-    ModelHeader {
-        classes: Class::ALL.to_vec(),
-        learner,
-        least_probability: 0.5,
-        frame_correlation: 0.5,
-        attributions: vec!["nobody".into()],
-    }
+/// Networks over range cells, trained for moments on the sound dataset.
+pub(crate) fn profile(folder: &Path) -> PathBuf {
+    dataset(folder);
+    place(folder, "profile.model", |at| {
+        made(at, "train @sound/d --learner profile --out @sound/profile");
+        std::fs::copy(at.join("sound/profile/weights.model"), at.join("sound/profile.model")).unwrap();
+    })
 }
 
 const FORMAT: CropFormat =
@@ -142,7 +123,13 @@ pub(crate) fn network(folder: &Path) -> PathBuf {
             channels: vec![1, 2, 1],
             input_side: 8,
         };
-        let header = header_of(Learner::CropNetwork(shape));
+        let header = ModelHeader {
+            classes: Class::ALL.to_vec(),
+            learner: Learner::CropNetwork(shape),
+            least_probability: 0.5,
+            frame_correlation: 0.5,
+            attributions: vec!["nobody".into()],
+        };
         let layout = Layout::of(&header).unwrap();
         let tensor = |(name, shape): (String, Vec<usize>)| {
             let values = vec![0.25; shape.iter().product()];

@@ -9,11 +9,11 @@ pub const PAPER_ITERATIONS: u32 = 1440;
 /// Method by which a classifier is learned.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Learner {
-    /// Networks over the range cells of signatures.
-    #[default]
-    Profile,
     /// Boosted trees on features of signatures.
+    #[default]
     Trees,
+    /// Networks over the range cells of signatures.
+    Profile,
     /// The paper's network on crops.
     Paper,
 }

@@ -35,8 +35,8 @@ impl LearningCommand {
 /// Learners.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum LearnerWord {
-    Profile,
     Trees,
+    Profile,
     Paper,
 }
 
@@ -72,8 +72,8 @@ pub struct TrainArguments {
     /// Output folder of the model.
     #[arg(long, value_name = "MODEL")]
     pub(crate) out: PathBuf,
-    /// Learner: networks over signatures' range cells, trees on their features, or the paper's on crops.
-    #[arg(long, value_enum, default_value_t = LearnerWord::Profile)]
+    /// Learner: trees on features of signatures, networks over their range cells, or the paper's on crops.
+    #[arg(long, value_enum, default_value_t = LearnerWord::Trees)]
     pub(crate) learner: LearnerWord,
     /// Seed of all random draws: examples and features of trees, initial weights, order of samples.
     #[arg(long, default_value_t = 1, value_parser = whole(SEEDS, 7))]
@@ -111,7 +111,7 @@ pub struct ProtocolsArguments {
     pub(crate) test: Vec<PathBuf>,
     /// Learner: one of signatures, or the paper's network by the paper's protocol (P) and by two that keep
     /// copies of a map apart.
-    #[arg(long, value_enum, default_value_t = LearnerWord::Profile)]
+    #[arg(long, value_enum, default_value_t = LearnerWord::Trees)]
     pub(crate) learner: LearnerWord,
     /// Steps of the network's optimizer in each training [default: 1440, the paper's number].
     #[arg(long, value_name = "N", value_parser = whole(1..=u32::MAX, 1440))]

@@ -16,11 +16,11 @@ fn trains(options: &str, rounds: &str, kind: &str) {
 }
 
 #[test]
-fn without_a_learner_networks_over_range_cells_are_trained() {
-    trains("", "epochs", "networks     over ");
+fn without_a_learner_trees_are_trained() {
+    trains("", "trees", "trees        of ");
 }
 
 #[test]
-fn trees_are_trained_where_they_are_asked_for() {
-    trains("--learner trees", "trees", "trees        of ");
+fn networks_over_range_cells_are_trained_where_they_are_asked_for() {
+    trains("--learner profile", "epochs", "networks     over ");
 }
