@@ -19,14 +19,14 @@ static TRAINED: LazyLock<Trained> = LazyLock::new(|| {
 fn shape(header: &mut ModelHeader) -> Option<&mut NetworkShape> {
     match &mut header.learner {
         Learner::CropNetwork(shape) => Some(shape),
-        Learner::BoostedTrees { .. } | Learner::ProfileNetworks(_) => None,
+        Learner::BoostedTrees { .. } | Learner::ProfileNetworks(_) | Learner::TreesAndNetworks { .. } => None,
     }
 }
 
 fn trained_bytes() -> Option<&'static [u8]> {
     match &TRAINED.weights {
         Weights::Network { safetensors } => Some(safetensors),
-        Weights::Trees(_) | Weights::Profile(_) => None,
+        Weights::Trees(_) | Weights::Profile(_) | Weights::Both { .. } => None,
     }
 }
 

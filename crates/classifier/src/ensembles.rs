@@ -10,4 +10,5 @@ pub(crate) mod held_out; // answers for vehicles held out in turn
 pub(crate) mod trained; // temperature, correlation, metrics
 pub(crate) mod tree_training; // boosted trees
 pub(crate) mod profile_training; // networks over range cells
-pub(crate) mod signature_training; // either of them
+pub(crate) mod both_training; // both, averaged
+pub(crate) mod signature_training; // any of them

@@ -43,6 +43,7 @@ pub use crops::samples::{Example, Examples, format_of, samples_of};
 pub use crops::tensor_name;
 pub use ensembles::answers::{Part, of_tracks, parts};
 pub use ensembles::boosting::{BoostingSettings, Table, boosted};
+pub use ensembles::both_training::{BothSettings, train_both};
 pub use ensembles::likeness::{area_under_roc, likeness};
 pub use ensembles::profile_training::{ProfileSettings, train_networks};
 pub use ensembles::signature_classifier::{SignatureClassifier, answer};

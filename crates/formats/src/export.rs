@@ -29,10 +29,12 @@ pub fn model(file: &Path, out: &Path) -> Result<(), Failure> {
     let weights = Reader::<Model>::open(file)?.next_frame()?;
     match weights {
         Some(Weights::Network { safetensors }) => files::write_file(out, &safetensors),
-        Some(Weights::Trees(_) | Weights::Profile(_)) => Err(Failure::Refused(format!(
-            "{}: a model of signatures has no file of tensors; --to json writes its weights",
-            file.display()
-        ))),
+        Some(Weights::Trees(_) | Weights::Profile(_) | Weights::Both { .. }) => {
+            Err(Failure::Refused(format!(
+                "{}: a model of signatures has no file of tensors; --to json writes its weights",
+                file.display()
+            )))
+        }
         None => Err(Failure::Refused(format!("{}: holds no weights", file.display()))),
     }
 }

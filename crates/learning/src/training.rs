@@ -40,11 +40,11 @@ pub fn run(settings: &TrainingSettings) -> Result<(), Failure> {
 /// Refuses settings that do not apply to the learner.
 fn check(settings: &TrainingSettings) -> Result<(), Failure> {
     match (settings.learner, &settings.attributions) {
-        (Learner::Profile | Learner::Trees, _) if settings.iterations.is_some() => {
+        (Learner::Trees | Learner::Profile | Learner::Both, _) if settings.iterations.is_some() => {
             Err(iterations_of_signatures())
         }
         (Learner::Paper, Some(file)) => Err(Failure::System(format!(
-            "{}: --attributions is for --learner profile and trees: the paper's network would not name them",
+            "{}: --attributions is for --learner trees, profile and both: the paper's network would not name them",
             file.display()
         ))),
         _ => Ok(()),

@@ -44,6 +44,13 @@ pub enum Learner {
     },
     /// One-dimensional networks over the range cells of signatures.
     ProfileNetworks(ProfileShape),
+    /// Both of them, their answers averaged.
+    TreesAndNetworks {
+        /// Names of the features, in the order of the trees' column numbers.
+        features: Vec<String>,
+        /// Inputs of the networks.
+        shape: ProfileShape,
+    },
 }
 
 impl Learner {
@@ -53,6 +60,7 @@ impl Learner {
             Self::CropNetwork(_) => "paper",
             Self::BoostedTrees { .. } => "trees",
             Self::ProfileNetworks(_) => "profile",
+            Self::TreesAndNetworks { .. } => "both",
         }
     }
 }
@@ -93,6 +101,15 @@ pub enum Weights {
     Trees(BoostedTrees),
     /// Networks over range cells, whose logits are averaged.
     Profile(ProfileNetworks),
+    /// Trees and networks: the mean of the logarithms of their probabilities, divided by a temperature.
+    Both {
+        /// Boosted trees.
+        trees: BoostedTrees,
+        /// Networks over range cells.
+        networks: ProfileNetworks,
+        /// Divisor of the mean.
+        temperature: f32,
+    },
 }
 
 /// Networks of several trainings.

@@ -4,11 +4,26 @@ use crate::crops::network::Logits;
 use crate::ensembles::vehicles::Sightings;
 use crate::error::ClassifierError;
 use crate::evaluation::metrics::log_softmax;
+use artifact::dataset::Split;
 use artifact::settings::Class;
 use std::collections::BTreeMap;
 
-/// Refuses training without a class.
-pub(crate) fn check_classes(sightings: &Sightings, learned: &[usize]) -> Result<(), ClassifierError> {
+/// Numbers of the sightings for training, and of those among them that measure the accuracy.
+pub(crate) struct LearnedAndJudged {
+    pub(crate) learned: Vec<usize>,
+    pub(crate) judged: Vec<usize>,
+}
+
+impl LearnedAndJudged {
+    /// All sightings except those of the test split; refused if a class is missing.
+    pub(crate) fn of(sightings: &Sightings) -> Result<Self, ClassifierError> {
+        let learned = sightings.of(&[Split::Train, Split::Validation]);
+        check_classes(sightings, &learned)?;
+        Ok(Self { judged: judged(sightings, &learned), learned })
+    }
+}
+
+fn check_classes(sightings: &Sightings, learned: &[usize]) -> Result<(), ClassifierError> {
     let is_seen = |class: usize| learned.iter().any(|i| sightings.all[*i].class == class);
     match (0..Class::ALL.len()).find(|class| !is_seen(*class)) {
         Some(missing) => Err(ClassifierError::MissingClass { class: Class::ALL[missing] }),
@@ -18,7 +33,7 @@ pub(crate) fn check_classes(sightings: &Sightings, learned: &[usize]) -> Result<
 
 /// Training sightings that measure the accuracy: unmodified vehicles, if there are any. The two families of a
 /// cross are rarely held out together.
-pub(crate) fn judged(sightings: &Sightings, learned: &[usize]) -> Vec<usize> {
+fn judged(sightings: &Sightings, learned: &[usize]) -> Vec<usize> {
     let plain: Vec<usize> = learned.iter().copied().filter(|i| !sightings.all[*i].is_cross()).collect();
     if plain.is_empty() { learned.to_vec() } else { plain }
 }
@@ -27,8 +42,8 @@ pub(crate) fn judged(sightings: &Sightings, learned: &[usize]) -> Vec<usize> {
 pub(crate) struct HeldOut {
     /// Logits, `[round][sighting]`.
     pub(crate) logits: Vec<Vec<Logits>>,
-    classes: Vec<usize>,
-    weights: Vec<f64>,
+    pub(crate) classes: Vec<usize>,
+    pub(crate) weights: Vec<f64>,
 }
 
 impl HeldOut {

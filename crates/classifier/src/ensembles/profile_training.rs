@@ -2,15 +2,14 @@
 //! out in turn, and the answers for them determine the temperature and the correlation between the frames of
 //! a track.
 
-use crate::ensembles::held_out::{check_classes, held_out, judged};
+use crate::ensembles::held_out::{HeldOut, LearnedAndJudged, held_out};
 use crate::ensembles::trained::{Calibrated, Trained};
 use crate::ensembles::vehicles::Sightings;
 use crate::error::ClassifierError;
 use crate::networks::network_training::{Examples, NetworkSettings, trained_network};
 use crate::networks::profile_network::of_member;
 use crate::signatures::cells::shape;
-use artifact::dataset::Split;
-use artifact::model::{Learner, ProfileNetworks, Weights};
+use artifact::model::{Learner, ProfileNetwork, ProfileNetworks, Weights};
 use serde::Serialize;
 
 /// Settings for training networks over range cells.
@@ -24,6 +23,13 @@ pub struct ProfileSettings {
     pub folds: usize,
     /// Least probability for answering with the likeliest class: where it is more likely right than wrong.
     pub least_probability: f32,
+}
+
+impl ProfileSettings {
+    /// Number of passes of all trainings together.
+    pub(crate) fn ticks(&self) -> usize {
+        self.network.epochs as usize * self.members * (self.folds + 1)
+    }
 }
 
 impl Default for ProfileSettings {
@@ -55,15 +61,35 @@ pub fn train_networks(
     seed: u64,
     heard: &mut dyn FnMut(usize, usize),
 ) -> Result<Trained, ClassifierError> {
-    let learned = sightings.of(&[Split::Train, Split::Validation]);
-    check_classes(sightings, &learned)?;
-    let passes = settings.network.epochs as usize;
-    let (mut done, all) = (0, passes * settings.members * (settings.folds + 1));
-    let mut tick = || {
+    let examples = LearnedAndJudged::of(sightings)?;
+    let (mut done, all) = (0, settings.ticks());
+    let parts = trained_networks(sightings, &examples, settings, seed, &mut || {
         done += 1;
         heard(done, all);
-    };
-    let judged = judged(sightings, &learned);
+    });
+    let passes = settings.network.epochs as usize;
+    let calibrated = Calibrated::on(sightings, &examples.judged, &parts.held_out, passes - 1);
+    let temperature = calibrated.temperature as f32;
+    let networks = ProfileNetworks { temperature, members: parts.members };
+    let model = (Learner::ProfileNetworks(shape()), Weights::Profile(networks));
+    Ok(calibrated.model(sightings, &examples.judged, model, settings.least_probability, (passes, seed)))
+}
+
+/// Networks, with the answers for held-out vehicles after each pass.
+pub(crate) struct TrainedNetworks {
+    pub(crate) held_out: HeldOut,
+    pub(crate) members: Vec<ProfileNetwork>,
+}
+
+/// Trains with vehicles held out in turn, then on all; `tick` is called after each pass.
+pub(crate) fn trained_networks(
+    sightings: &Sightings,
+    LearnedAndJudged { learned, judged }: &LearnedAndJudged,
+    settings: &ProfileSettings,
+    seed: u64,
+    tick: &mut dyn FnMut(),
+) -> TrainedNetworks {
+    let passes = settings.network.epochs as usize;
     let member = |number: usize| seed.wrapping_add((number as u64) << 32);
     let mut of_fold = |kept: &[usize], asked: &[usize]| {
         let examples = examples(sightings, kept);
@@ -81,15 +107,11 @@ pub fn train_networks(
         }
         told
     };
-    let held_out = held_out(sightings, [&learned, &judged], [settings.folds, passes], seed, &mut of_fold);
-    let calibrated = Calibrated::on(sightings, &judged, &held_out, passes - 1);
-    let examples = examples(sightings, &learned);
+    let held_out = held_out(sightings, [learned, judged], [settings.folds, passes], seed, &mut of_fold);
+    let examples = examples(sightings, learned);
     let trained =
         |number: usize| trained_network(&examples, &settings.network, member(number), &mut |_| tick());
-    let members = (0..settings.members).map(trained).collect();
-    let networks = ProfileNetworks { temperature: calibrated.temperature as f32, members };
-    let model = (Learner::ProfileNetworks(shape()), Weights::Profile(networks));
-    Ok(calibrated.model(sightings, &judged, model, settings.least_probability, (passes, seed)))
+    TrainedNetworks { held_out, members: (0..settings.members).map(trained).collect() }
 }
 
 fn examples<'a>(sightings: &'a Sightings, numbers: &[usize]) -> Examples<'a> {

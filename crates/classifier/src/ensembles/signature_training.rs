@@ -1,5 +1,6 @@
-//! A training on signatures: trees on features, or networks over range cells.
+//! A training on signatures: trees on features, networks over range cells, or both.
 
+use crate::ensembles::both_training::{BothSettings, train_both};
 use crate::ensembles::profile_training::{ProfileSettings, train_networks};
 use crate::ensembles::trained::Trained;
 use crate::ensembles::tree_training::{TreeSettings, train_trees};
@@ -14,6 +15,8 @@ pub enum SignatureTraining {
     Trees(TreeSettings),
     /// Networks over range cells.
     Profile(ProfileSettings),
+    /// Both, their answers averaged.
+    Both(BothSettings),
 }
 
 impl SignatureTraining {
@@ -30,6 +33,7 @@ impl SignatureTraining {
         match self {
             Self::Trees(settings) => train_trees(sightings, settings, seed, heard),
             Self::Profile(settings) => train_networks(sightings, settings, seed, heard),
+            Self::Both(settings) => train_both(sightings, settings, seed, heard),
         }
     }
 }

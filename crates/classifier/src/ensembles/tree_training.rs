@@ -4,13 +4,12 @@
 
 use crate::crops::network::Logits;
 use crate::ensembles::boosting::{BoostingSettings, Table, boosted};
-use crate::ensembles::held_out::{check_classes, held_out, judged};
+use crate::ensembles::held_out::{HeldOut, LearnedAndJudged, held_out};
 use crate::ensembles::trained::{Calibrated, Trained};
 use crate::ensembles::trees::leaf;
 use crate::ensembles::vehicles::Sightings;
 use crate::error::ClassifierError;
 use crate::signatures::features::names;
-use artifact::dataset::Split;
 use artifact::model::{BoostedTrees, Learner, Weights};
 use serde::Serialize;
 
@@ -44,6 +43,11 @@ impl Default for TreeSettings {
 const LEAST_OF_A_LEAF: f64 = 1.0 / 40.0;
 
 impl TreeSettings {
+    /// Number of rounds of all trainings together, at most.
+    pub(crate) fn ticks(&self) -> usize {
+        self.boosting.rounds as usize * (self.folds + MEMBERS as usize)
+    }
+
     /// Settings with leaves suitable for this number of sightings.
     fn for_so_many(&self, sightings: usize) -> Self {
         let least_weight = self.boosting.least_weight.min(LEAST_OF_A_LEAF * sightings as f64);
@@ -61,16 +65,42 @@ pub fn train_trees(
     seed: u64,
     heard: &mut dyn FnMut(usize, usize),
 ) -> Result<Trained, ClassifierError> {
-    let learned = sightings.of(&[Split::Train, Split::Validation]);
-    check_classes(sightings, &learned)?;
-    let settings = &settings.for_so_many(learned.len());
-    let rounds = settings.boosting.rounds as usize;
-    let (mut done, all) = (0, rounds * (settings.folds + MEMBERS as usize));
-    let mut tick = || {
+    let examples = LearnedAndJudged::of(sightings)?;
+    let (mut done, all) = (0, settings.ticks());
+    let parts = trained_trees(sightings, &examples, settings, seed, &mut || {
         done += 1;
         heard(done, all);
-    };
-    let judged = judged(sightings, &learned);
+    });
+    let calibrated = Calibrated::on(sightings, &examples.judged, &parts.held_out, parts.best);
+    let mut trees = parts.trees;
+    trees.temperature *= calibrated.temperature as f32;
+    let rounds = trees.trees.len();
+    let model = (Learner::BoostedTrees { features: feature_names() }, Weights::Trees(trees));
+    Ok(calibrated.model(sightings, &examples.judged, model, settings.least_probability, (rounds, seed)))
+}
+
+/// Names of the features, for a model's header.
+pub(crate) fn feature_names() -> Vec<String> {
+    names().into_iter().map(str::to_owned).collect()
+}
+
+/// Trees, with the answers for held-out vehicles and the round with the best of them.
+pub(crate) struct TrainedTrees {
+    pub(crate) held_out: HeldOut,
+    pub(crate) best: usize,
+    pub(crate) trees: BoostedTrees,
+}
+
+/// Trains with vehicles held out in turn, then on all; `tick` is called after each round.
+pub(crate) fn trained_trees(
+    sightings: &Sightings,
+    LearnedAndJudged { learned, judged }: &LearnedAndJudged,
+    settings: &TreeSettings,
+    seed: u64,
+    tick: &mut dyn FnMut(),
+) -> TrainedTrees {
+    let settings = &settings.for_so_many(learned.len());
+    let rounds = settings.boosting.rounds as usize;
     let mut of_fold = |kept: &[usize], asked: &[usize]| {
         let (mut sums, mut told) = (vec![[0.0_f32; 4]; asked.len()], Vec::with_capacity(rounds));
         boosted(&sightings.table(kept), &settings.boosting, seed, &mut |trees| {
@@ -81,16 +111,11 @@ pub fn train_trees(
         });
         told
     };
-    let held_out = held_out(sightings, [&learned, &judged], [settings.folds, rounds], seed, &mut of_fold);
+    let held_out = held_out(sightings, [learned, judged], [settings.folds, rounds], seed, &mut of_fold);
     let best = held_out.best_round();
-    let calibrated = Calibrated::on(sightings, &judged, &held_out, best);
     let boosting = BoostingSettings { rounds: best as u32 + 1, ..settings.boosting };
-    let mut trees = members(&sightings.table(&learned), &boosting, seed, &mut tick);
-    trees.temperature *= calibrated.temperature as f32;
-    let rounds = trees.trees.len();
-    let learner = Learner::BoostedTrees { features: names().into_iter().map(str::to_owned).collect() };
-    let model = (learner, Weights::Trees(trees));
-    Ok(calibrated.model(sightings, &judged, model, settings.least_probability, (rounds, seed)))
+    let trees = members(&sightings.table(learned), &boosting, seed, tick);
+    TrainedTrees { held_out, best, trees }
 }
 
 /// Number of trainings whose logits the model averages: a single one decides close cases by chance (Breiman

@@ -31,7 +31,7 @@ const POINTS: usize = 8;
 pub(super) fn page(settings: &ProtocolSettings, datasets: &[DatasetFolder]) -> Result<String, Failure> {
     if !settings.test.is_empty() || settings.curves {
         return Err(Failure::refused(
-            "--test and --curves are for --learner profile and trees; the paper's protocols have neither",
+            "--test and --curves are for --learner trees, profile and both; the paper's protocols have neither",
         ));
     }
     let iterations = settings.iterations.unwrap_or(PAPER_ITERATIONS);

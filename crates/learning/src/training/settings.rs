@@ -1,6 +1,6 @@
 //! Settings of a training.
 
-use classifier::{ProfileSettings, SignatureTraining, TreeSettings};
+use classifier::{BothSettings, ProfileSettings, SignatureTraining, TreeSettings};
 use std::path::PathBuf;
 
 /// Default number of the network's optimizer steps: the paper's number.
@@ -14,6 +14,8 @@ pub enum Learner {
     Trees,
     /// Networks over the range cells of signatures.
     Profile,
+    /// Trees and networks, their answers averaged.
+    Both,
     /// The paper's network on crops.
     Paper,
 }
@@ -24,6 +26,7 @@ impl Learner {
         match self {
             Self::Profile => Some(SignatureTraining::Profile(ProfileSettings::default())),
             Self::Trees => Some(SignatureTraining::Trees(TreeSettings::default())),
+            Self::Both => Some(SignatureTraining::Both(BothSettings::default())),
             Self::Paper => None,
         }
     }

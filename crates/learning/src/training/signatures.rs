@@ -81,6 +81,7 @@ fn save(
     let rounds = match training {
         SignatureTraining::Trees(_) => "trees",
         SignatureTraining::Profile(_) => "epochs",
+        SignatureTraining::Both(_) => "trainings",
     };
     let mut curve = format!("{rounds},log_loss_on_unseen_vehicles\n");
     for (round, loss) in trained.curve.iter().enumerate() {

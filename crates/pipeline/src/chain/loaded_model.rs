@@ -82,9 +82,7 @@ impl LoadedModel {
                 let cropper = receiver.cropper(rdm, &shape.format).map_err(Failure::refused)?;
                 by_crops(network, &cropper, points)
             }
-            (Ready::Crops(_), Learner::BoostedTrees { .. } | Learner::ProfileNetworks(_)) => {
-                Err(Failure::refused("a model of signatures looks at no crops"))
-            }
+            (Ready::Crops(_), _) => Err(Failure::refused("a model of signatures looks at no crops")),
         }
     }
 
@@ -105,7 +103,7 @@ impl LoadedModel {
         let (header, weights) = (&self.header, &self.weights);
         let build = || match header.learner {
             Learner::CropNetwork(_) => Classifier::from_model(header, weights).map(Ready::Crops),
-            Learner::BoostedTrees { .. } | Learner::ProfileNetworks(_) => {
+            Learner::BoostedTrees { .. } | Learner::ProfileNetworks(_) | Learner::TreesAndNetworks { .. } => {
                 SignatureClassifier::from_model(header, weights).map(Ready::Signatures)
             }
         };

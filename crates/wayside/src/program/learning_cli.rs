@@ -37,6 +37,7 @@ impl LearningCommand {
 pub(crate) enum LearnerWord {
     Trees,
     Profile,
+    Both,
     Paper,
 }
 

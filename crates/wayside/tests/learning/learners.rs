@@ -24,3 +24,8 @@ fn without_a_learner_trees_are_trained() {
 fn networks_over_range_cells_are_trained_where_they_are_asked_for() {
     trains("--learner profile", "epochs", "networks     over ");
 }
+
+#[test]
+fn both_are_trained_where_they_are_asked_for() {
+    trains("--learner both", "trainings", "of the whole, and trees of ");
+}

@@ -81,5 +81,5 @@ fn what_is_asked_of_models_of_signatures_is_refused_of_the_papers_network() {
     let output = place.try_run("protocols a --learner paper --curves");
     assert_eq!(output.status.code(), Some(1));
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert!(said.contains("--test and --curves are for --learner profile and trees"), "{said}");
+    assert!(said.contains("--test and --curves are for --learner trees, profile and both"), "{said}");
 }

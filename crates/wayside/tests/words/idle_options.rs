@@ -61,7 +61,7 @@ fn an_option_that_means_nothing_to_the_learner_is_refused() {
             ("train d --learner trees --iterations 3", &["--iterations is for --learner paper"]),
             (
                 "train d --learner paper --attributions who.txt",
-                &["who.txt", "--attributions is for --learner profile and trees"],
+                &["who.txt", "--attributions is for --learner trees, profile and both"],
             ),
             ("protocols d --iterations 3", &["--iterations is for --learner paper"]),
             ("protocols d --learner trees --iterations 3", &["--iterations is for --learner paper"]),

@@ -5,7 +5,7 @@ use crate::program::terminal::{call_off, line};
 use artifact::classes::Classes;
 use artifact::cube::{Cube, CubeHeader};
 use artifact::dataset::Dataset;
-use artifact::model::{Learner, Model, ProfileNetwork, Weights};
+use artifact::model::{BoostedTrees, Learner, Model, ProfileNetwork, ProfileNetworks, ProfileShape, Weights};
 use artifact::paths::{Paths, TargetDetail};
 use artifact::points::Points;
 use artifact::rcs::Rcs;
@@ -312,12 +312,10 @@ fn model(mut reader: Reader<Model>) -> Result<(), Failure> {
         Learner::BoostedTrees { features } => {
             format!("trees        of {} features of signatures", features.len())
         }
-        Learner::ProfileNetworks(shape) => format!(
-            "networks     over {} range cells of signatures, {} quantities of each, {} of the whole",
-            shape.cells,
-            shape.of_cells.len(),
-            shape.of_object.len()
-        ),
+        Learner::ProfileNetworks(shape) => of_shape(shape),
+        Learner::TreesAndNetworks { features, shape } => {
+            format!("{}, and trees of {} features", of_shape(shape), features.len())
+        }
     });
     line(format!("classes      {}", classes.join(", ")));
     let (told, sound) = reader.next_frame()?.map_or(("none".into(), false), |weights| of_weights(&weights));
@@ -327,20 +325,41 @@ fn model(mut reader: Reader<Model>) -> Result<(), Failure> {
     Ok(())
 }
 
+/// Inputs of networks over range cells.
+fn of_shape(shape: &ProfileShape) -> String {
+    let (cells, of_cells, of_object) = (shape.cells, shape.of_cells.len(), shape.of_object.len());
+    format!(
+        "networks     over {cells} range cells of signatures, {of_cells} quantities of each, {of_object} of the whole"
+    )
+}
+
 /// Number of the parameters in words, and whether they are sound.
 fn of_weights(weights: &Weights) -> (String, bool) {
-    let is_divisor = |temperature: f32| temperature.is_finite() && temperature > 0.0;
     match weights {
         Weights::Network { safetensors } => {
             (format!("{} bytes of safetensors", safetensors.len()), !safetensors.is_empty())
         }
-        Weights::Trees(trees) => (format!("{} trees", trees.trees.len()), is_divisor(trees.temperature)),
-        Weights::Profile(networks) => {
-            let (of, values) = (networks.members.len(), || networks.members.iter().flat_map(values_of));
-            let sound = of > 0 && is_divisor(networks.temperature) && values().all(f32::is_finite);
-            (format!("{} in {of} networks", values().count()), sound)
+        Weights::Trees(trees) => of_trees(trees),
+        Weights::Profile(networks) => of_networks(networks),
+        Weights::Both { trees, networks, temperature } => {
+            let ((trees, are_sound), (networks, fit)) = (of_trees(trees), of_networks(networks));
+            (format!("{networks}, {trees}"), are_sound && fit && is_divisor(*temperature))
         }
     }
+}
+
+fn is_divisor(temperature: f32) -> bool {
+    temperature.is_finite() && temperature > 0.0
+}
+
+fn of_trees(trees: &BoostedTrees) -> (String, bool) {
+    (format!("{} trees", trees.trees.len()), is_divisor(trees.temperature))
+}
+
+fn of_networks(networks: &ProfileNetworks) -> (String, bool) {
+    let (of, values) = (networks.members.len(), || networks.members.iter().flat_map(values_of));
+    let sound = of > 0 && is_divisor(networks.temperature) && values().all(f32::is_finite);
+    (format!("{} in {of} networks", values().count()), sound)
 }
 
 /// Weights and biases of a network over range cells, layer by layer.

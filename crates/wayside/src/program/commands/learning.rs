@@ -92,6 +92,7 @@ fn of_protocols(arguments: &ProtocolsArguments) -> protocols::ProtocolSettings<'
 fn learner_of(word: LearnerWord) -> Learner {
     match word {
         LearnerWord::Profile => Learner::Profile,
+        LearnerWord::Both => Learner::Both,
         LearnerWord::Trees => Learner::Trees,
         LearnerWord::Paper => Learner::Paper,
     }
