@@ -22,8 +22,8 @@ pub struct Trained {
     pub curve: Vec<f64>,
     /// Metrics of the model.
     pub metrics: SignatureMetrics,
-    /// Logits of each sighting by a training that never saw its vehicle or, for the test split, its scene; for
-    /// crosses, which are only for training, those of the model itself.
+    /// Logits of each sighting by a training that never saw its vehicle or, for the test split, its scene;
+    /// for crosses, which are only for training, those of the model itself.
     pub told: Vec<Logits>,
 }
 
