@@ -40,7 +40,7 @@ pub fn run(settings: &TrainingSettings) -> Result<(), Failure> {
 /// Refuses settings that do not apply to the learner.
 fn check(settings: &TrainingSettings) -> Result<(), Failure> {
     match (settings.learner, &settings.attributions) {
-        (Learner::Trees | Learner::Profile | Learner::Both, _) if settings.iterations.is_some() => {
+        (learner, _) if learner.on_signatures().is_some() && settings.iterations.is_some() => {
             Err(iterations_of_signatures())
         }
         (Learner::Paper, Some(file)) => Err(Failure::System(format!(

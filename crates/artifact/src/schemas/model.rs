@@ -101,14 +101,12 @@ pub enum Weights {
     Trees(BoostedTrees),
     /// Networks over range cells, whose logits are averaged.
     Profile(ProfileNetworks),
-    /// Trees and networks: the mean of the logarithms of their probabilities, divided by a temperature.
+    /// Trees and networks, whose logits are averaged.
     Both {
         /// Boosted trees.
         trees: BoostedTrees,
         /// Networks over range cells.
         networks: ProfileNetworks,
-        /// Divisor of the mean.
-        temperature: f32,
     },
 }
 

@@ -1,14 +1,12 @@
 //! Training of trees and of networks whose answers are averaged: they err on different sightings.
 
-use crate::crops::network::Logits;
-use crate::ensembles::held_out::{HeldOut, LearnedAndJudged};
+use crate::ensembles::held_out::{HeldOut, LearnedAndJudged, counted};
 use crate::ensembles::profile_training::{ProfileSettings, trained_networks};
-use crate::ensembles::signature_classifier::mean_of_logarithms;
+use crate::ensembles::signature_classifier::mean;
 use crate::ensembles::trained::{Calibrated, Trained};
 use crate::ensembles::tree_training::{TreeSettings, feature_names, trained_trees};
 use crate::ensembles::vehicles::Sightings;
 use crate::error::ClassifierError;
-use crate::evaluation::temperature::fitted_temperature;
 use crate::signatures::cells::shape;
 use artifact::model::{Learner, ProfileNetworks, Weights};
 use serde::Serialize;
@@ -25,7 +23,7 @@ pub struct BothSettings {
 /// Trains on all sightings except those of the test split; progress is reported as (rounds done, rounds in
 /// all).
 ///
-/// Each kind has its own temperature, and their mean another. The same sightings, settings and seed give the
+/// Each kind has its own temperature, times that of their mean. The same sightings, settings and seed give the
 /// same model on any number of threads.
 pub fn train_both(
     sightings: &Sightings,
@@ -34,32 +32,22 @@ pub fn train_both(
     heard: &mut dyn FnMut(usize, usize),
 ) -> Result<Trained, ClassifierError> {
     let examples = LearnedAndJudged::of(sightings)?;
-    let (mut done, all) = (0, settings.trees.ticks() + settings.networks.ticks());
-    let mut tick = || {
-        done += 1;
-        heard(done, all);
-    };
+    let mut tick = counted(settings.trees.ticks() + settings.networks.ticks(), heard);
     let of_trees = trained_trees(sightings, &examples, &settings.trees, seed, &mut tick);
     let of_networks = trained_networks(sightings, &examples, &settings.networks, seed, &mut tick);
     let last = of_networks.held_out.logits.len() - 1;
-    let [by_trees, by_networks] =
-        [(&of_trees.held_out, of_trees.best), (&of_networks.held_out, last)].map(cooled);
-    let logits = by_trees.1.iter().zip(&by_networks.1).map(|(a, b)| mean_of_logarithms([*a, *b]));
+    let (of_tree, by_trees) = of_trees.held_out.cooled(of_trees.best);
+    let (of_network, by_networks) = of_networks.held_out.cooled(last);
+    let logits = by_trees.into_iter().zip(by_networks).map(|(a, b)| mean([a, b])).collect();
     let HeldOut { classes, weights, .. } = of_trees.held_out;
-    let held_out = HeldOut { logits: vec![logits.collect()], classes, weights };
+    let held_out = HeldOut { logits: vec![logits], classes, weights };
     let calibrated = Calibrated::on(sightings, &examples.judged, &held_out, 0);
     let mut trees = of_trees.trees;
-    trees.temperature *= by_trees.0;
-    let networks = ProfileNetworks { temperature: by_networks.0, members: of_networks.members };
+    trees.temperature *= (of_tree * calibrated.temperature) as f32;
+    let temperature = (of_network * calibrated.temperature) as f32;
+    let networks = ProfileNetworks { temperature, members: of_networks.members };
     let learner = Learner::TreesAndNetworks { features: feature_names(), shape: shape() };
     let rounds = trees.trees.len() + settings.networks.network.epochs as usize;
-    let weights = Weights::Both { trees, networks, temperature: calibrated.temperature as f32 };
-    let least = settings.trees.least_probability;
+    let (weights, least) = (Weights::Both { trees, networks }, settings.trees.least_probability);
     Ok(calibrated.model(sightings, &examples.judged, (learner, weights), least, (rounds, seed)))
-}
-
-/// Temperature that fits the answers of a round, and the answers divided by it.
-fn cooled((held_out, round): (&HeldOut, usize)) -> (f32, Vec<Logits>) {
-    let temperature = fitted_temperature(&held_out.weighted(round)) as f32;
-    (temperature, held_out.logits[round].iter().map(|logits| logits.map(|l| l / temperature)).collect())
 }

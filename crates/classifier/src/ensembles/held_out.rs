@@ -4,6 +4,7 @@ use crate::crops::network::Logits;
 use crate::ensembles::vehicles::Sightings;
 use crate::error::ClassifierError;
 use crate::evaluation::metrics::log_softmax;
+use crate::evaluation::temperature::fitted_temperature;
 use artifact::dataset::Split;
 use artifact::settings::Class;
 use std::collections::BTreeMap;
@@ -58,15 +59,26 @@ impl HeldOut {
         self.logits.iter().map(loss).collect()
     }
 
-    /// True class, answer and weight of each sighting after a round.
-    pub(crate) fn weighted(&self, round: usize) -> Vec<(usize, Logits, f64)> {
+    /// Temperature that fits the answers of a round, and the answers divided by it.
+    pub(crate) fn cooled(&self, round: usize) -> (f64, Vec<Logits>) {
         let answers = self.logits[round].iter().zip(&self.classes).zip(&self.weights);
-        answers.map(|((logits, class), weight)| (*class, *logits, *weight)).collect()
+        let weighted: Vec<_> = answers.map(|((logits, class), weight)| (*class, *logits, *weight)).collect();
+        let temperature = fitted_temperature(&weighted);
+        (temperature, self.logits[round].iter().map(|l| l.map(|v| v / temperature as f32)).collect())
     }
 
     pub(crate) fn best_round(&self) -> usize {
         let curve = self.curve();
         (0..curve.len()).fold(0, |best, round| if curve[round] < curve[best] { round } else { best })
+    }
+}
+
+/// Counts rounds, and reports each as (rounds done, rounds in all).
+pub(crate) fn counted(all: usize, heard: &mut dyn FnMut(usize, usize)) -> impl FnMut() {
+    let mut done = 0;
+    move || {
+        done += 1;
+        heard(done, all);
     }
 }
 

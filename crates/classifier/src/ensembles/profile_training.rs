@@ -2,7 +2,7 @@
 //! out in turn, and the answers for them determine the temperature and the correlation between the frames of
 //! a track.
 
-use crate::ensembles::held_out::{HeldOut, LearnedAndJudged, held_out};
+use crate::ensembles::held_out::{HeldOut, LearnedAndJudged, counted, held_out};
 use crate::ensembles::trained::{Calibrated, Trained};
 use crate::ensembles::vehicles::Sightings;
 use crate::error::ClassifierError;
@@ -62,11 +62,8 @@ pub fn train_networks(
     heard: &mut dyn FnMut(usize, usize),
 ) -> Result<Trained, ClassifierError> {
     let examples = LearnedAndJudged::of(sightings)?;
-    let (mut done, all) = (0, settings.ticks());
-    let parts = trained_networks(sightings, &examples, settings, seed, &mut || {
-        done += 1;
-        heard(done, all);
-    });
+    let mut tick = counted(settings.ticks(), heard);
+    let parts = trained_networks(sightings, &examples, settings, seed, &mut tick);
     let passes = settings.network.epochs as usize;
     let calibrated = Calibrated::on(sightings, &examples.judged, &parts.held_out, passes - 1);
     let temperature = calibrated.temperature as f32;

@@ -7,9 +7,8 @@ use crate::crops::network::Logits;
 use crate::ensembles::trees;
 use crate::ensembles::vehicles::Seen;
 use crate::error::ClassifierError;
-use crate::evaluation::metrics::log_softmax;
 use crate::networks::profile_network;
-use crate::signatures::cells::{inputs, shape};
+use crate::signatures::cells::{CELLS, OF_CELLS, OF_OBJECT, inputs};
 use crate::signatures::features::{features, names};
 use artifact::model::{Learner, ModelHeader, ProfileShape, Weights};
 use artifact::settings::Class;
@@ -32,26 +31,17 @@ impl SignatureClassifier {
                 check_names(features, &names())?;
                 trees::check(trees, names().len())?;
             }
-            (Learner::ProfileNetworks(of_model), Weights::Profile(networks)) => {
+            (Learner::ProfileNetworks(shape), Weights::Profile(networks)) => {
                 check_classes(header)?;
-                check_shape(of_model)?;
+                check_shape(shape)?;
                 profile_network::check(networks)?;
             }
-            (
-                Learner::TreesAndNetworks { features, shape: of_model },
-                Weights::Both { trees, networks, temperature },
-            ) => {
+            (Learner::TreesAndNetworks { features, shape }, Weights::Both { trees, networks }) => {
                 check_classes(header)?;
                 check_names(features, &names())?;
-                check_shape(of_model)?;
+                check_shape(shape)?;
                 trees::check(trees, names().len())?;
                 profile_network::check(networks)?;
-                if !(temperature.is_finite() && *temperature > 0.0) {
-                    return Err(ClassifierError::ProfileNetwork {
-                        member: 0,
-                        rule: "a temperature above zero",
-                    });
-                }
             }
             _ => return Err(ClassifierError::OtherWeights),
         }
@@ -93,18 +83,16 @@ fn logits_of(weights: &Weights, features: &[f32], cells: &[f32]) -> Logits {
     match weights {
         Weights::Trees(trees) => trees::logits(trees, features),
         Weights::Profile(networks) => profile_network::logits(networks, cells),
-        Weights::Both { trees, networks, temperature } => {
-            let both = [trees::logits(trees, features), profile_network::logits(networks, cells)];
-            mean_of_logarithms(both).map(|logit| logit / temperature)
+        Weights::Both { trees, networks } => {
+            mean([trees::logits(trees, features), profile_network::logits(networks, cells)])
         }
         Weights::Network { .. } => EVEN,
     }
 }
 
-/// Mean of the logarithms of two answers' probabilities.
-pub(crate) fn mean_of_logarithms(answers: [Logits; 2]) -> Logits {
-    let [a, b] = answers.map(|logits| log_softmax(logits.map(f64::from)));
-    std::array::from_fn(|class| (0.5 * (a[class] + b[class])) as f32)
+/// Mean of two answers: that of the logarithms of their probabilities, up to a constant.
+pub(crate) fn mean([a, b]: [Logits; 2]) -> Logits {
+    std::array::from_fn(|class| 0.5 * (a[class] + b[class]))
 }
 
 fn check_names(found: &[String], known: &[&str]) -> Result<(), ClassifierError> {
@@ -119,16 +107,11 @@ fn check_names(found: &[String], known: &[&str]) -> Result<(), ClassifierError> 
 }
 
 fn check_shape(found: &ProfileShape) -> Result<(), ClassifierError> {
-    let known = shape();
-    let of = |names: &[String]| names.to_vec();
-    for (found, known) in
-        [(of(&found.of_cells), of(&known.of_cells)), (of(&found.of_object), of(&known.of_object))]
-    {
-        check_names(&found, &known.iter().map(String::as_str).collect::<Vec<_>>())?;
-    }
-    if found.cells != known.cells {
-        let told = |cells: u32| format!("{cells} range cells");
-        return Err(ClassifierError::Feature { found: told(found.cells), known: told(known.cells) });
+    check_names(&found.of_cells, &OF_CELLS)?;
+    check_names(&found.of_object, &OF_OBJECT)?;
+    if found.cells as usize != CELLS {
+        let [found, known] = [found.cells as usize, CELLS].map(|cells| format!("{cells} range cells"));
+        return Err(ClassifierError::Feature { found, known });
     }
     Ok(())
 }
@@ -141,8 +124,8 @@ mod tests {
     fn the_mean_of_two_answers_lies_between_them_and_of_equal_ones_is_the_same() {
         let likely = |logits: Logits| softmax(logits)[0];
         let (sure, even) = ([2.0, 0.0, 0.0, 0.0], [1.0; 4]);
-        let mean = likely(mean_of_logarithms([sure, even]));
-        assert!(likely(even) < mean && mean < likely(sure), "{mean}");
-        assert!((likely(mean_of_logarithms([sure, sure])) - likely(sure)).abs() < 1e-6);
+        let between = likely(mean([sure, even]));
+        assert!(likely(even) < between && between < likely(sure), "{between}");
+        assert!((likely(mean([sure, sure])) - likely(sure)).abs() < 1e-6);
     }
 }

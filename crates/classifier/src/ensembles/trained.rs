@@ -5,7 +5,6 @@ use crate::ensembles::answers::{Part, fitted_correlation, parts};
 use crate::ensembles::held_out::HeldOut;
 use crate::ensembles::signature_classifier::answer;
 use crate::ensembles::vehicles::Sightings;
-use crate::evaluation::temperature::fitted_temperature;
 use artifact::dataset::Split;
 use artifact::model::{Learner, ModelHeader, Weights};
 use artifact::settings::Class;
@@ -63,9 +62,7 @@ pub(crate) struct Calibrated {
 
 impl Calibrated {
     pub(crate) fn on(sightings: &Sightings, judged: &[usize], held_out: &HeldOut, round: usize) -> Self {
-        let temperature = fitted_temperature(&held_out.weighted(round));
-        let cooled: Vec<Logits> =
-            held_out.logits[round].iter().map(|l| l.map(|v| v / temperature as f32)).collect();
+        let (temperature, cooled) = held_out.cooled(round);
         let frame_correlation = fitted_correlation(&sightings.seen(judged), &cooled);
         Self { temperature, frame_correlation, cooled, curve: held_out.curve() }
     }

@@ -4,7 +4,7 @@
 
 use crate::crops::network::Logits;
 use crate::ensembles::boosting::{BoostingSettings, Table, boosted};
-use crate::ensembles::held_out::{HeldOut, LearnedAndJudged, held_out};
+use crate::ensembles::held_out::{HeldOut, LearnedAndJudged, counted, held_out};
 use crate::ensembles::trained::{Calibrated, Trained};
 use crate::ensembles::trees::leaf;
 use crate::ensembles::vehicles::Sightings;
@@ -66,11 +66,8 @@ pub fn train_trees(
     heard: &mut dyn FnMut(usize, usize),
 ) -> Result<Trained, ClassifierError> {
     let examples = LearnedAndJudged::of(sightings)?;
-    let (mut done, all) = (0, settings.ticks());
-    let parts = trained_trees(sightings, &examples, settings, seed, &mut || {
-        done += 1;
-        heard(done, all);
-    });
+    let mut tick = counted(settings.ticks(), heard);
+    let parts = trained_trees(sightings, &examples, settings, seed, &mut tick);
     let calibrated = Calibrated::on(sightings, &examples.judged, &parts.held_out, parts.best);
     let mut trees = parts.trees;
     trees.temperature *= calibrated.temperature as f32;

@@ -36,7 +36,7 @@ pub struct Checkpoint {
 pub enum KeptWork {
     /// Nothing is kept, or nothing is finished yet.
     Nothing,
-    /// What was finished before a write failed, by a full disk for example.
+    /// Everything finished before a write failed, by a full disk for example.
     UntilFailure,
     /// All that is finished.
     All,

@@ -341,9 +341,9 @@ fn of_weights(weights: &Weights) -> (String, bool) {
         }
         Weights::Trees(trees) => of_trees(trees),
         Weights::Profile(networks) => of_networks(networks),
-        Weights::Both { trees, networks, temperature } => {
+        Weights::Both { trees, networks } => {
             let ((trees, are_sound), (networks, fit)) = (of_trees(trees), of_networks(networks));
-            (format!("{networks}, {trees}"), are_sound && fit && is_divisor(*temperature))
+            (format!("{networks}, {trees}"), are_sound && fit)
         }
     }
 }
