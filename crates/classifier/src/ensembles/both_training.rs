@@ -23,8 +23,8 @@ pub struct BothSettings {
 /// Trains on all sightings except those of the test split; progress is reported as (rounds done, rounds in
 /// all).
 ///
-/// Each kind has its own temperature, times that of their mean. The same sightings, settings and seed give the
-/// same model on any number of threads.
+/// Each kind has its own temperature, times that of their mean. The same sightings, settings and seed give
+/// the same model on any number of threads.
 pub fn train_both(
     sightings: &Sightings,
     settings: &BothSettings,
