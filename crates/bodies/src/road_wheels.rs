@@ -26,8 +26,8 @@ const TRIANGLES_MAX: usize = 1 << 20;
 const NAME_BYTES_MAX: usize = 256;
 
 /// Words that exclude a road wheel.
-const OTHERS: [&str; 9] =
-    ["steering", "arch", "well", "house", "housing", "spare", "fender", "cover", "base"];
+const OTHERS: [&str; 10] =
+    ["steering", "arch", "well", "house", "housing", "spare", "fender", "cover", "base", "wheeler"];
 
 /// Whether a name indicates a road wheel: `Wheel_FL`, `tyre_rubber`, `wheel_rim`, `rim`; not
 /// `steering_wheel`, `WheelArch` or `wheelbase`, nor a name longer than any person gives, which a file may
@@ -210,7 +210,9 @@ mod tests {
         for name in ["Wheel_FL", "tyre_rubber", "wheel_rim", "rim", "Wheels3", "Front Tire.001"] {
             assert!(names_a_wheel(name), "{name}");
         }
-        for name in ["steering_wheel", "WheelArch", "wheelbase", "trim", "primer", "wheel well", "body", ""] {
+        for name in
+            ["steering_wheel", "WheelArch", "wheelbase", "18-wheeler", "trim", "primer", "wheel well", ""]
+        {
             assert!(!names_a_wheel(name), "{name}");
         }
         assert!(!names_a_wheel(&"wheel ".repeat(100)));

@@ -30,7 +30,8 @@ pub(crate) fn draw(drawn: &Drawn<'_>, nominal_m: [f64; 3], size_m: [f64; 3]) -> 
     cycle
 }
 
-fn wheels(drawn: &Drawn<'_>) -> [CycleWheel; 2] {
+/// Front and rear wheel; the rear one alone if both axles coincide: the front ones are then among the solids.
+fn wheels(drawn: &Drawn<'_>) -> Vec<CycleWheel> {
     let [front_x, rear_x] = drawn.numbers("axles");
     let wheel = |axle_x: f64, key: &str| {
         let [radius_m, tyre_width_m, rim] = drawn.numbers(key);
@@ -44,7 +45,9 @@ fn wheels(drawn: &Drawn<'_>) -> [CycleWheel; 2] {
             brake_radius_m: drawn.number("brake") * rim_radius_m,
         }
     };
-    [wheel(front_x, "front_wheel"), wheel(rear_x, "rear_wheel")]
+    let has_front = front_x != rear_x;
+    let front = has_front.then(|| wheel(front_x, "front_wheel"));
+    front.into_iter().chain([wheel(rear_x, "rear_wheel")]).collect()
 }
 
 fn front(drawn: &Drawn<'_>, to: &mut Assembly) {
