@@ -179,7 +179,7 @@ fn worst_error(frames: &[FrameSummary]) -> Vec<String> {
     lines.extend(
         verdict::lines(&frame.accuracy, &frame.error_db).into_iter().map(|line| format!("    {line}")),
     );
-    lines.extend(left_out(frame));
+    lines.extend(left_out(frame).into_iter().chain(outweighing(frame)));
     lines
 }
 
@@ -189,7 +189,7 @@ fn in_full(number: usize, frame: &FrameSummary) -> Vec<String> {
         vec![format!("frame {number}, {time_s:.3} s: {}; {points} points", Count::of(frame).text())];
     lines
         .extend(verdict::lines(&frame.accuracy, &frame.error_db).into_iter().map(|line| format!("  {line}")));
-    lines.extend(left_out(frame));
+    lines.extend(left_out(frame).into_iter().chain(outweighing(frame)));
     lines.extend(targets(&frame.targets));
     lines.extend(false_objects(&frame.false_objects));
     lines.extend(standing(&frame.stationary_objects));
@@ -232,6 +232,22 @@ fn left_out(frame: &FrameSummary) -> Option<String> {
     let named: Vec<String> =
         estimated.map(|(name, db)| format!("{name} {}", decibels(db))).chain(others).collect();
     (!named.is_empty()).then(|| format!("  left out by the model: {}", named.join(", ")))
+}
+
+/// Sentences about parts of the physics that the scene leaves out although they outweigh the computed echo,
+/// each with the key that adds it.
+fn outweighing(frame: &FrameSummary) -> impl Iterator<Item = String> {
+    let error = frame.model_error_db;
+    let parts = [
+        ("what the road reflects", error.road, "a [road] table"),
+        (
+            "what bodies reflect to each other",
+            error.between_bodies,
+            "between_bodies = \"traced\" in [fidelity]",
+        ),
+    ];
+    let outweighing = parts.into_iter().filter(|(_, db, _)| db.is_some_and(|db| db > 0.0));
+    outweighing.map(|(part, _, key)| format!("  {part} outweighs the computed echo: {key} adds it"))
 }
 
 /// Whether the error of omitted bounces is unknown: it is estimated from the decay of orders, which a single

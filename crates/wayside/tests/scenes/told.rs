@@ -163,6 +163,25 @@ fn a_part_that_is_no_error_is_null_and_is_said_nowhere() {
 }
 
 #[test]
+fn a_road_that_outweighs_what_was_computed_is_advised_with_its_key() {
+    let place = Workplace::new();
+    let scene = "name = \"front\"\n[noise]\nnoise_figure_db = 12.0\n[fidelity]\naccuracy_db = -10\n[[target]]\n\
+                 kind = \"mesh\"\nid = \"bus\"\nmodel = \"bus-city\"\nlane = 3\ny_m = 40.0\n\
+                 velocity_mps = [0.0, -6.5, 0.0]\n";
+    let told_of = |road: &str| {
+        write(&place, "front.toml", &format!("{scene}{road}"));
+        let told = place.run("run front.toml --out out --quiet");
+        let frame = place.summary("out/summary.json")["frames"][0].clone();
+        (told, frame["model_error_db"]["road"].as_f64())
+    };
+    const ADVICE: &str = "what the road reflects outweighs the computed echo: a [road] table adds it";
+    let (told, road_db) = told_of("");
+    assert!(road_db.unwrap() > 0.0 && told.contains(ADVICE), "{road_db:?}: {told}");
+    let (told, road_db) = told_of("[road]\n");
+    assert!(road_db.is_none() && !told.contains("outweighs"), "{road_db:?}: {told}");
+}
+
+#[test]
 fn that_tables_leave_shading_out_is_said_where_there_are_two_bodies() {
     let place = Workplace::new();
     let told_of = |scene: &str, echo: &str| {
