@@ -239,7 +239,7 @@ fn left_out(frame: &FrameSummary) -> Option<String> {
 fn outweighing(frame: &FrameSummary) -> impl Iterator<Item = String> {
     let error = frame.model_error_db;
     let parts = [
-        ("what the road reflects", error.road, "a [road] table"),
+        ("what the road reflects", error.road, "[road] with its mirror"),
         (
             "what bodies reflect to each other",
             error.between_bodies,

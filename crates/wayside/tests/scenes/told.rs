@@ -174,7 +174,7 @@ fn a_road_that_outweighs_what_was_computed_is_advised_with_its_key() {
         let frame = place.summary("out/summary.json")["frames"][0].clone();
         (told, frame["model_error_db"]["road"].as_f64())
     };
-    const ADVICE: &str = "what the road reflects outweighs the computed echo: a [road] table adds it";
+    const ADVICE: &str = "what the road reflects outweighs the computed echo: [road] with its mirror adds it";
     let (told, road_db) = told_of("");
     assert!(road_db.unwrap() > 0.0 && told.contains(ADVICE), "{road_db:?}: {told}");
     let (told, road_db) = told_of("[road]\n");
