@@ -122,18 +122,22 @@ def on_dask(command, made, parts, folder):
 
 
 def on_hyperqueue(command, made, parts, folder):
-    """Two workers of a LocalCluster; first all of it is killed, then one task of the next one."""
+    """Two workers of a LocalCluster; first all of it is killed, then tasks of the next one until it submits
+    some again: one of a part that was made before is not missed."""
     words = [HERE / "hyperqueue_run.py", "--parts", parts, "--", *command]
+    tasks = lambda: tasks_in(folder / OUT, command[0])
     with begun(words, folder) as first:
-        left = killed_half_way(first, made, folder, lambda: tasks_in(folder / OUT, command[0]))
+        left = killed_half_way(first, made, folder, tasks)
     with begun(words, folder) as second:
-        waited_for(lambda: tasks_in(folder / OUT, command[0]))
-        os.kill(tasks_in(folder / OUT, command[0])[0], signal.SIGKILL)
+        waited_for(lambda: is_submitted_again(folder) or second.poll() is not None or kill_all(tasks()))
+        if not is_submitted_again(folder):
+            sys.exit(f"no killed task was submitted again:\n{(folder / 'log').read_text()}")
         ended(second)
-    log = (folder / "log").read_text()
-    if "again: 1 of" not in log:
-        sys.exit(f"the killed task was not submitted again:\n{log}")
-    return f"both workers killed with {left} files made, then a task"
+    return f"both workers killed with {left} files made, then tasks"
+
+
+def is_submitted_again(folder):
+    return "again: " in (folder / "log").read_text()
 
 
 @contextlib.contextmanager
@@ -150,10 +154,14 @@ def begun(words, folder):
 
 def kill(child):
     """SIGKILL for a program and all that it began: its session."""
-    for process in in_session(child.pid):
+    kill_all(in_session(child.pid))
+    child.wait()
+
+
+def kill_all(them):
+    for process in them:
         with contextlib.suppress(ProcessLookupError):
             os.kill(process, signal.SIGKILL)
-    child.wait()
 
 
 def in_session(session):
@@ -171,11 +179,12 @@ def session_of(process):
 
 
 def tasks_in(out, program):
-    """Processes of the program that work in the folder of these results."""
+    """Processes of the program that make a part of the results in this folder."""
     def is_one(process):
         with contextlib.suppress(OSError):
             words = Path(f"/proc/{process}/cmdline").read_bytes().split(b"\0")
-            return os.readlink(f"/proc/{process}/cwd") == str(out.parent) and words[0] == program.encode()
+            is_part = words[0] == program.encode() and b"--shard" in words
+            return is_part and os.readlink(f"/proc/{process}/cwd") == str(out.parent)
         return False
 
     return [process for process in processes() if is_one(process)]
@@ -185,12 +194,19 @@ def killed_half_way(child, made, folder, tasks):
     """Kills it, and what it began in sessions of their own, once the first results are there; gives how
     many."""
     waited_for(lambda: list((folder / OUT).glob(made)))
-    for process in tasks():
-        os.kill(process, signal.SIGKILL)
     kill(child)
+    # A worker that outlives it for a moment begins another task in place of one that was killed.
+    waited_for(lambda: not remaining(tasks))
     if (folder / OUT / "scenes.jsonl").exists() or (folder / OUT / "sweep.csv").exists():
         sys.exit(f"{folder}: all was made before a worker was killed")
     return len(list((folder / OUT).glob(made)))
+
+
+def remaining(tasks):
+    """Kills these processes and gives those that are there a tenth of a second later."""
+    kill_all(tasks())
+    time.sleep(0.1)
+    return tasks()
 
 
 def waited_for(happened):
