@@ -129,7 +129,11 @@ def on_hyperqueue(command, made, parts, folder):
     with begun(words, folder) as first:
         left = killed_half_way(first, made, folder, tasks)
     with begun(words, folder) as second:
-        waited_for(lambda: is_submitted_again(folder) or second.poll() is not None or kill_all(tasks()))
+        def is_decided():
+            kill_all(tasks())
+            return is_submitted_again(folder) or second.poll() is not None
+
+        waited_for(is_decided)
         if not is_submitted_again(folder):
             sys.exit(f"no killed task was submitted again:\n{(folder / 'log').read_text()}")
         ended(second)
@@ -196,13 +200,13 @@ def killed_half_way(child, made, folder, tasks):
     waited_for(lambda: list((folder / OUT).glob(made)))
     kill(child)
     # A worker that outlives it for a moment begins another task in place of one that was killed.
-    waited_for(lambda: not remaining(tasks))
+    waited_for(lambda: not left_after_killing(tasks))
     if (folder / OUT / "scenes.jsonl").exists() or (folder / OUT / "sweep.csv").exists():
         sys.exit(f"{folder}: all was made before a worker was killed")
     return len(list((folder / OUT).glob(made)))
 
 
-def remaining(tasks):
+def left_after_killing(tasks):
     """Kills these processes and gives those that are there a tenth of a second later."""
     kill_all(tasks())
     time.sleep(0.1)
