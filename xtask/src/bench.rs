@@ -10,7 +10,7 @@ use artifact::units::db_from_amplitude;
 pub(crate) use cases::{CHARTED, QUICK, all as comparisons};
 pub(crate) use comparison::Comparison;
 pub(crate) use predictions::{PredictedCost, RATIOS, Spread, cost_of_random};
-use programs::NotHere;
+use programs::MissingProgram;
 use serde_json::{Value, json};
 use wayside::host::failure::Failure;
 use wayside::host::files;
@@ -37,7 +37,9 @@ fn line(c: &Comparison) -> String {
                 c.error.map(|e| format!(", {:.0} dB from it", db_from_amplitude(e))).unwrap_or_default();
             format!("{ours}, {rival} {rival_s:.4} s, ratio {:.1}{error} ({})", rival_s / c.ours_s, c.work)
         }
-        Err(NotHere { program, advice }) => format!("{ours}, {program} is not here: {advice} ({})", c.work),
+        Err(MissingProgram { program, advice }) => {
+            format!("{ours}, {program} is not here: {advice} ({})", c.work)
+        }
     }
 }
 

@@ -18,7 +18,7 @@ use wayside::host::progress::Work;
 use wayside::program::terminal;
 
 /// Keys of `summary.json` that differ between runs.
-const OF_THE_RUN: [&str; 6] = [
+const RUN_DEPENDENT_KEYS: [&str; 6] = [
     "stage_seconds",
     "frames_seconds",
     "frames_processor_seconds",
@@ -28,18 +28,18 @@ const OF_THE_RUN: [&str; 6] = [
 ];
 
 /// Names of files and their checksums.
-type Sums = BTreeMap<String, String>;
+type Checksums = BTreeMap<String, String>;
 
 pub(crate) fn run(arguments: &BytesArguments) -> Result<(), Failure> {
     files::claim(std::slice::from_ref(&arguments.out))?;
     let program = arguments.program.clone().map_or_else(this_program, Ok)?;
-    let mut sums = Sums::new();
+    let mut sums = Checksums::new();
     let runs: Vec<CommandRun> =
-        runs::all(&project_root())?.into_iter().filter(|run| asked(arguments, run)).collect();
+        runs::all(&project_root())?.into_iter().filter(|run| is_selected(arguments, run)).collect();
     let work = Work::begin("runs");
     for (number, run) in runs.iter().enumerate() {
         work.at(number, runs.len());
-        sums.extend(sums_of(&program, run)?);
+        sums.extend(checksums_of_run(&program, run)?);
     }
     let text: String = sums.iter().map(|(name, sum)| format!("{sum}  {name}\n")).collect();
     files::write_file(&arguments.out, text.as_bytes())?;
@@ -54,12 +54,12 @@ pub(crate) fn run(arguments: &BytesArguments) -> Result<(), Failure> {
     }
 }
 
-fn asked(arguments: &BytesArguments, run: &CommandRun) -> bool {
+fn is_selected(arguments: &BytesArguments, run: &CommandRun) -> bool {
     arguments.only.is_empty() || arguments.only.contains(&run.name)
 }
 
 /// Runs `program` in a separate folder and computes the checksum of every file that it leaves.
-fn sums_of(program: &Path, run: &CommandRun) -> Result<Sums, Failure> {
+fn checksums_of_run(program: &Path, run: &CommandRun) -> Result<Checksums, Failure> {
     let system = |e: std::io::Error| Failure::System(format!("{}: {e}", run.name));
     let folder = tempfile::tempdir().map_err(system)?;
     let words: Vec<String> =
@@ -70,10 +70,10 @@ fn sums_of(program: &Path, run: &CommandRun) -> Result<Sums, Failure> {
     if !status.success() {
         return Err(Failure::Refused(format!("`{}`: {status}", words.join(" "))));
     }
-    let mut sums = Sums::new();
+    let mut sums = Checksums::new();
     for place in files_below(folder.path()) {
         let name = place.strip_prefix(folder.path()).unwrap_or(&place).display().to_string();
-        if let Some(bytes) = compared(&name, &std::fs::read(&place).map_err(system)?) {
+        if let Some(bytes) = comparable_bytes(&name, &std::fs::read(&place).map_err(system)?) {
             sums.insert(format!("{}/{name}", run.name), blake3::hash(&bytes).to_hex()[..32].to_owned());
         }
     }
@@ -81,37 +81,37 @@ fn sums_of(program: &Path, run: &CommandRun) -> Result<Sums, Failure> {
 }
 
 /// The part of a file that is the same in every run; `None` for files that are not compared.
-fn compared(name: &str, bytes: &[u8]) -> Option<Vec<u8>> {
+fn comparable_bytes(name: &str, bytes: &[u8]) -> Option<Vec<u8>> {
     match Path::new(name).extension().and_then(|kind| kind.to_str()) {
         Some("html") => None,
         // The file beside a table contains seconds, which differ, and values that follow from the table.
         Some("json") if name != "summary.json" => None,
         Some("json") => {
             let mut summary: Value = serde_json::from_slice(bytes).ok()?;
-            without(&mut summary, &OF_THE_RUN);
+            remove_keys(&mut summary, &RUN_DEPENDENT_KEYS);
             Some(summary.to_string().into_bytes())
         }
         _ => Some(bytes.to_vec()),
     }
 }
 
-fn without(value: &mut Value, keys: &[&str]) {
+fn remove_keys(value: &mut Value, keys: &[&str]) {
     match value {
         Value::Object(map) => {
             keys.iter().for_each(|key| _ = map.remove(*key));
-            map.values_mut().for_each(|value| without(value, keys));
+            map.values_mut().for_each(|value| remove_keys(value, keys));
         }
-        Value::Array(list) => list.iter_mut().for_each(|value| without(value, keys)),
+        Value::Array(list) => list.iter_mut().for_each(|value| remove_keys(value, keys)),
         _ => {}
     }
 }
 
 /// Prints the differences from an earlier list; fails if there are any.
-fn compare(sums: &Sums, file: &Path, is_asked: &dyn Fn(&str) -> bool) -> Result<(), Failure> {
+fn compare(sums: &Checksums, file: &Path, is_selected: &dyn Fn(&str) -> bool) -> Result<(), Failure> {
     let text = read_text(file)?;
     let pairs = text.lines().filter_map(|line| line.split_once("  "));
-    let known: Sums =
-        pairs.map(|(sum, name)| (name.to_owned(), sum.to_owned())).filter(|(n, _)| is_asked(n)).collect();
+    let known: Checksums =
+        pairs.map(|(sum, name)| (name.to_owned(), sum.to_owned())).filter(|(n, _)| is_selected(n)).collect();
     let names: std::collections::BTreeSet<&String> = sums.keys().chain(known.keys()).collect();
     let verdict = |name: &String| match (known.get(name), sums.get(name)) {
         (Some(a), Some(b)) if a == b => None,

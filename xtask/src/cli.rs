@@ -3,7 +3,7 @@
 use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
 use wayside::program::cli::General;
-use wayside::program::terminal::Results;
+use wayside::program::terminal::ResultKind;
 use wayside::program::values::{Shard, shard};
 
 /// From a 3D model to a vehicle class: scattering at 77 GHz, FMCW echoes, detection, classification.
@@ -50,10 +50,10 @@ pub(crate) enum Command {
 
 impl Command {
     /// Kind of results that the command leaves.
-    pub(crate) fn results(&self) -> Results {
+    pub(crate) fn results(&self) -> ResultKind {
         match self {
             Self::Wayside(command) => command.results(),
-            Self::Study(PageArguments { name: None, .. }) => Results::Lines,
+            Self::Study(PageArguments { name: None, .. }) => ResultKind::Lines,
             Self::Study(_)
             | Self::Chart(_)
             | Self::Atlas(_)
@@ -61,8 +61,8 @@ impl Command {
             | Self::Bytes(_)
             | Self::SceneKeys
             | Self::Dist(_)
-            | Self::FuzzLedger(_) => Results::Files,
-            Self::Bench(_) | Self::House | Self::Ci(_) => Results::Lines,
+            | Self::FuzzLedger(_) => ResultKind::Files,
+            Self::Bench(_) | Self::House | Self::Ci(_) => ResultKind::Lines,
         }
     }
 }

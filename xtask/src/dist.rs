@@ -21,7 +21,7 @@ const WHEEL: [&str; 2] = ["wayside-python", "interchange"];
 /// Attributions of the classifier's training data, included in both.
 const ATTRIBUTIONS: &str = "fixtures/classifier.attributions.txt";
 /// Files of the project beside the program.
-const BESIDE: [&str; 6] =
+const EXTRA_FILES: [&str; 6] =
     ["README.md", "CHANGELOG.md", "CITATION.cff", "LICENSE-APACHE", "LICENSE-MIT", ATTRIBUTIONS];
 
 /// Builds the program, fills the archive's folder and packs it.
@@ -78,7 +78,7 @@ fn build(target: &str) -> Result<PathBuf, Failure> {
 fn gather(folder: &Path, program: &Path, linked: &[LinkedPackage]) -> Result<(), Failure> {
     let root = project_root();
     copy(program, folder)?;
-    BESIDE.iter().try_for_each(|name| copy(&root.join(name), folder))?;
+    EXTRA_FILES.iter().try_for_each(|name| copy(&root.join(name), folder))?;
     for scene in entries(&root.join("scenes"))?.iter().filter(|file| file.is_file()) {
         copy(scene, &folder.join("scenes"))?;
     }

@@ -45,7 +45,7 @@ fn refused(file: &Path, rule: &str) -> Failure {
 
 /// Number of cases for a reader in all runs.
 #[derive(Debug, Default, Clone, PartialEq)]
-struct Sum {
+struct ReaderTotals {
     seeds: Vec<u64>,
     cases: u64,
     read: u64,
@@ -55,8 +55,8 @@ struct Sum {
 }
 
 /// Sums by reader of a ledger, which is the text of `file`.
-fn sums(file: &Path, text: &str) -> Result<BTreeMap<String, Sum>, Failure> {
-    let mut all: BTreeMap<String, Sum> = BTreeMap::new();
+fn sums(file: &Path, text: &str) -> Result<BTreeMap<String, ReaderTotals>, Failure> {
+    let mut all: BTreeMap<String, ReaderTotals> = BTreeMap::new();
     let mut lines = text.lines();
     if lines.next() != Some(COLUMNS) {
         return Err(refused(file, &format!("does not begin with {COLUMNS}")));
@@ -69,10 +69,10 @@ fn sums(file: &Path, text: &str) -> Result<BTreeMap<String, Sum>, Failure> {
     Ok(all)
 }
 
-fn entry(line: &str) -> Option<(String, Sum)> {
+fn entry(line: &str) -> Option<(String, ReaderTotals)> {
     let [reader, seed, cases, read, refused, minutes, peak_mib] =
         line.split(',').collect::<Vec<_>>().try_into().ok()?;
-    let sum = Sum {
+    let sum = ReaderTotals {
         seeds: vec![seed.parse().ok()?],
         cases: cases.parse().ok()?,
         read: read.parse().ok()?,
@@ -83,7 +83,7 @@ fn entry(line: &str) -> Option<(String, Sum)> {
     (sum.read + sum.refused == sum.cases).then(|| (reader.to_owned(), sum))
 }
 
-impl Sum {
+impl ReaderTotals {
     fn add(&mut self, part: Self) {
         self.seeds.extend(part.seeds);
         self.seeds.sort_unstable();
@@ -103,9 +103,9 @@ impl Sum {
     }
 }
 
-fn table_of(all: &BTreeMap<String, Sum>) -> String {
-    let mut whole = Sum::default();
-    all.values().for_each(|sum| whole.add(Sum { seeds: vec![], ..sum.clone() }));
+fn table_of(all: &BTreeMap<String, ReaderTotals>) -> String {
+    let mut whole = ReaderTotals::default();
+    all.values().for_each(|sum| whole.add(ReaderTotals { seeds: vec![], ..sum.clone() }));
     let least = all.values().map(|sum| sum.minutes).fold(f64::INFINITY, f64::min);
     let done = all.values().filter(|sum| sum.minutes >= GOAL_MINUTES).count();
     let columns = ["reader", "processor minutes", "cases", "read", "refused", "most memory, MiB", "seeds"];
@@ -130,7 +130,8 @@ mod tests {
         let text =
             format!("{COLUMNS}\nfcd,2,10,4,6,1.5000,30\nobj,1,5,5,0,0.2500,20\nfcd,1,10,1,9,0.5000,40\n");
         let all = sums(Path::new(LEDGER), &text).unwrap();
-        let fcd = Sum { seeds: vec![1, 2], cases: 20, read: 5, refused: 15, minutes: 2.0, peak_mib: 40 };
+        let fcd =
+            ReaderTotals { seeds: vec![1, 2], cases: 20, read: 5, refused: 15, minutes: 2.0, peak_mib: 40 };
         assert_eq!((all.len(), &all["fcd"]), (2, &fcd));
         assert_eq!(fcd.row("fcd"), ["fcd", "2.0", "20", "5", "15", "40", "1, 2"]);
     }

@@ -3,12 +3,12 @@
 
 pub(crate) mod source;
 pub(crate) mod names;
-pub(crate) mod arrows;
-pub(crate) mod circles;
+pub(crate) mod dependencies;
+pub(crate) mod cycles;
 pub(crate) mod folders;
 
 use crate::project::project_root;
-use arrows::Arrows;
+use dependencies::FileDependencies;
 use source::SourceFile;
 use std::path::{Path, PathBuf};
 use wayside::host::failure::Failure;
@@ -20,25 +20,25 @@ pub(crate) fn run() -> Result<(), Failure> {
         "{:<22}{:>6}{:>8}{:>9}{:>8}{:>9}{:>16}{:>14}",
         "crate", "files", "code", "product", "arrows", "circles", "largest folder", "largest file"
     ));
-    let (mut files, mut code, mut product, mut count, mut circles) = (0, 0, 0, 0, 0);
+    let (mut files, mut code, mut product, mut count, mut cycles) = (0, 0, 0, 0, 0);
     for folder in crates(&project_root())? {
-        let (arrows, found) = look(&folder)?;
-        let lengths: Vec<usize> = arrows.files.iter().map(|file| file.code_lines()).collect();
+        let (dependencies, found) = dependencies_and_cycles(&folder)?;
+        let lengths: Vec<usize> = dependencies.files.iter().map(|file| file.code_lines()).collect();
         let largest = lengths.iter().max().unwrap_or(&0);
         let (lines, own, name) =
-            (lengths.iter().sum::<usize>(), product_lines(&arrows.files), name_of(&folder));
+            (lengths.iter().sum::<usize>(), product_lines(&dependencies.files), crate_name(&folder));
         terminal::line(format!(
             "{name:<22}{:>6}{lines:>8}{own:>9}{:>8}{:>9}{:>16}{largest:>14}",
-            arrows.files.len(),
-            arrows.count(),
+            dependencies.files.len(),
+            dependencies.count(),
             found.len(),
-            folders::side_by_side(&folder).into_values().max().unwrap_or(0),
+            folders::files_per_folder(&folder).into_values().max().unwrap_or(0),
         ));
-        files += arrows.files.len();
+        files += dependencies.files.len();
         (code, product) = (code + lines, product + own);
-        (count, circles) = (count + arrows.count(), circles + found.len());
+        (count, cycles) = (count + dependencies.count(), cycles + found.len());
     }
-    terminal::line(format!("{:<22}{files:>6}{code:>8}{product:>9}{count:>8}{circles:>9}", "all"));
+    terminal::line(format!("{:<22}{files:>6}{code:>8}{product:>9}{count:>8}{cycles:>9}", "all"));
     Ok(())
 }
 
@@ -61,13 +61,13 @@ pub(crate) fn crates(root: &Path) -> Result<Vec<PathBuf>, Failure> {
 }
 
 /// Finds the dependencies and cycles of a crate.
-pub(crate) fn look(folder: &Path) -> Result<(Arrows, Vec<Vec<usize>>), Failure> {
-    let arrows = Arrows::of(&folder.join("src"))?;
-    let circles = circles::of(&arrows.to);
-    Ok((arrows, circles))
+pub(crate) fn dependencies_and_cycles(folder: &Path) -> Result<(FileDependencies, Vec<Vec<usize>>), Failure> {
+    let dependencies = FileDependencies::of(&folder.join("src"))?;
+    let cycles = cycles::find(&dependencies.to);
+    Ok((dependencies, cycles))
 }
 
 /// Name of a crate, which is that of its folder.
-pub(crate) fn name_of(folder: &Path) -> String {
+pub(crate) fn crate_name(folder: &Path) -> String {
     folder.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }

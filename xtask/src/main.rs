@@ -17,8 +17,8 @@ mod ci;
 use cli::{Command, PageArguments};
 use std::process::ExitCode;
 use wayside::Failure;
+use wayside::program::command_context::CommandContext;
 use wayside::program::commands::dispatch;
-use wayside::program::means::Means;
 use wayside::program::{self, terminal};
 
 fn main() -> ExitCode {
@@ -28,15 +28,15 @@ fn main() -> ExitCode {
     };
     let command = arguments.command;
     terminal::expect(command.results());
-    program::enter("cargo xtask", word, &arguments.general, |means| carry_out(command, means))
+    program::enter("cargo xtask", word, &arguments.general, |context| carry_out(command, context))
 }
 
-fn carry_out(command: Command, means: &Means) -> Result<(), Failure> {
+fn carry_out(command: Command, context: &CommandContext) -> Result<(), Failure> {
     match command {
-        Command::Wayside(command) => dispatch(command, means),
-        Command::Chart(arguments) => study::drawn::chart(&arguments),
-        Command::Atlas(arguments) => study::drawn::atlas(&arguments),
-        Command::Levels(arguments) => study::drawn::levels(&arguments),
+        Command::Wayside(command) => dispatch(command, context),
+        Command::Chart(arguments) => study::plotted_studies::chart(&arguments),
+        Command::Atlas(arguments) => study::plotted_studies::atlas(&arguments),
+        Command::Levels(arguments) => study::plotted_studies::levels(&arguments),
         Command::Study(arguments) => study::run(&arguments),
         Command::Bench(arguments) => bench::run(&arguments),
         Command::Bytes(arguments) => bytes::run(&arguments),

@@ -33,10 +33,10 @@ const REMOVED: &str = " (deleted)";
 /// one in its place.
 pub(crate) fn this_program() -> Result<PathBuf, Failure> {
     let place = std::env::current_exe().map_err(|e| Failure::System(format!("this program: {e}")))?;
-    Ok(in_its_place(place))
+    Ok(rebuilt_program(place))
 }
 
-fn in_its_place(place: PathBuf) -> PathBuf {
+fn rebuilt_program(place: PathBuf) -> PathBuf {
     let built_anew = place.to_str().and_then(|place| place.strip_suffix(REMOVED)).map(PathBuf::from);
     built_anew.filter(|anew| !place.exists() && anew.is_file()).unwrap_or(place)
 }
@@ -49,11 +49,11 @@ mod tests {
     fn a_program_built_anew_is_found_in_its_place() {
         let folder = tempfile::tempdir().unwrap();
         let [program, removed] = ["xtask", "xtask (deleted)"].map(|name| folder.path().join(name));
-        assert_eq!(in_its_place(removed.clone()), removed, "nothing was built in its place");
+        assert_eq!(rebuilt_program(removed.clone()), removed, "nothing was built in its place");
         std::fs::write(&program, "anew").unwrap();
-        assert_eq!(in_its_place(removed.clone()), program);
-        assert_eq!(in_its_place(program.clone()), program);
+        assert_eq!(rebuilt_program(removed.clone()), program);
+        assert_eq!(rebuilt_program(program.clone()), program);
         std::fs::write(&removed, "a name of its own").unwrap();
-        assert_eq!(in_its_place(removed.clone()), removed);
+        assert_eq!(rebuilt_program(removed.clone()), removed);
     }
 }

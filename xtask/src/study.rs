@@ -4,7 +4,7 @@
 mod sources;
 mod page;
 mod extent;
-mod looks;
+mod rcs_solvers;
 mod bodies;
 mod closed_forms;
 pub(crate) mod scenes;
@@ -13,9 +13,9 @@ mod chart;
 mod atlas;
 mod search;
 mod levels;
-pub(crate) mod drawn;
+pub(crate) mod plotted_studies;
 mod pages;
 mod catalogue;
 
 pub(crate) use catalogue::{STUDIES, by_name, compare, run};
-pub(crate) use page::Age;
+pub(crate) use page::Freshness;

@@ -2,10 +2,10 @@
 
 pub(crate) mod codec; // encoding of a record
 pub mod inputs; // inputs, which no output may replace
-pub mod unchanged; // detection of changed inputs
+pub mod changed_inputs; // detection of changed inputs
 pub mod bounded; // user files of bounded length
-pub(crate) mod place_rule; // rules for the place of an output
-pub mod sentence; // messages of bounded length
+pub(crate) mod output_path; // rules for the place of an output
+pub mod message; // messages of bounded length
 pub(crate) mod fault; // a file and its fault
-pub mod whole_file; // files written whole or not at all
+pub mod atomic_file; // files written whole or not at all
 pub mod envelope; // the format of all artifacts

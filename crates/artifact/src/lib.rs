@@ -33,7 +33,7 @@ pub use descriptions::{goal, material, pattern, permittivity, radar, settings};
 pub use files::envelope::{
     ArtifactError, Fault, Preamble, Provenance, Reader, Schema, Writer, read_preamble,
 };
-pub use files::{bounded, envelope, inputs, sentence, unchanged, whole_file};
+pub use files::{atomic_file, bounded, changed_inputs, envelope, inputs, message};
 pub use quantities::accuracy::{Accuracy, ErrorBudget, ModelError};
 pub use quantities::{accuracy, seed, units};
 pub use schemas::{classes, cube, dataset, model, paths, points, rcs, rdm, scene, signature, tracks};

@@ -2,7 +2,7 @@
 //! ended; alone in its process, because all that is open there goes.
 #![allow(clippy::unwrap_used, reason = "a test ends where it meets what it did not expect")]
 
-use artifact::whole_file::{Durability, WholeFile, WholeFolder, abandon_all, is_temporary};
+use artifact::atomic_file::{AtomicFile, AtomicFolder, Durability, is_temporary, remove_all_temporaries};
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
@@ -17,12 +17,12 @@ fn temporaries(folder: &Path) -> usize {
 fn write(folder: &Path, thread: usize, ends: &AtomicBool) {
     for number in (0..).take_while(|_| !ends.load(Ordering::Relaxed)) {
         let place = folder.join(format!("{thread}/{number}"));
-        let file = WholeFile::create(&place.join("file"));
+        let file = AtomicFile::create(&place.join("file"));
         if let Some(file) = file.ok().filter(|_| number % 2 == 0) {
             let _ = file.finish(Durability::InCache); // it may be gone
         }
-        let set = WholeFolder::create(&place.join("set"));
-        if let Ok(set) = set.inspect(|set| drop(WholeFile::create(&set.filled().join("below/file"))))
+        let set = AtomicFolder::create(&place.join("set"));
+        if let Ok(set) = set.inspect(|set| drop(AtomicFile::create(&set.path().join("below/file"))))
             && number % 2 == 0
         {
             let _ = set.finish();
@@ -40,7 +40,7 @@ fn what_threads_begin_while_a_program_ends_is_not_left_behind() {
         }
         for round in 0..20 {
             std::thread::sleep(Duration::from_millis(3));
-            let held = abandon_all();
+            let held = remove_all_temporaries();
             let left: Vec<usize> = (0..3)
                 .map(|_| {
                     std::thread::sleep(Duration::from_millis(1));

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a helper of tests fails the test")]
 
+use artifact::dataset::{CropFormat, Dataset};
 use artifact::points::{Height, Point, Points, PointsFrame, PointsHeader};
 use artifact::rdm::Rdm;
 use artifact::{Fault, Provenance, Reader, Schema, Writer, read_preamble};
@@ -148,6 +149,25 @@ fn a_newer_version_is_refused_naming_both() {
     let [newer, known] = [Later::VERSION, Points::VERSION];
     let expected = format!("`points` version {newer}; this program reads version {known}");
     assert!(error.to_string().ends_with(&expected), "{error}");
+}
+
+/// A NaN equals nothing, so a header with one would seem changed at every second look, and plans made from it
+/// are arbitrary.
+#[test]
+fn a_header_with_a_nan_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("nan.dataset");
+    let header = CropFormat {
+        side: 64,
+        range_span_m: 24.0,
+        velocity_span_mps: f64::NAN,
+        floor_db: 0.0,
+        ceiling_db: 30.0,
+    };
+    Writer::<Dataset>::create(&file, &provenance(), &header).unwrap().finish().unwrap();
+    let error = Reader::<Dataset>::open(&file).map(drop).unwrap_err();
+    assert!(error.to_string().contains("the header is not of the schema's shape"), "{error}");
+    assert!(error.to_string().ends_with("one of its numbers is NaN"), "{error}");
 }
 
 #[test]

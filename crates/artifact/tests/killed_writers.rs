@@ -4,7 +4,7 @@
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, reason = "a test ends where it meets what it did not expect")]
 
-use artifact::whole_file::{Durability, WholeFile, WholeFolder, is_temporary};
+use artifact::atomic_file::{AtomicFile, AtomicFolder, Durability, is_temporary};
 use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
@@ -20,12 +20,12 @@ const FOLDER: &str = "FOLDER_OF_A_TEST";
 fn a_writer() {
     let Some(place) = std::env::var_os(PLACE) else { return };
     if std::env::var_os(FOLDER).is_some() {
-        let folder = WholeFolder::create(Path::new(&place)).unwrap();
-        std::fs::create_dir(folder.filled().join("below")).unwrap();
-        std::fs::write(folder.filled().join("below/file"), [1; 1 << 16]).unwrap();
+        let folder = AtomicFolder::create(Path::new(&place)).unwrap();
+        std::fs::create_dir(folder.path().join("below")).unwrap();
+        std::fs::write(folder.path().join("below/file"), [1; 1 << 16]).unwrap();
         wait();
     }
-    let mut file = WholeFile::create(Path::new(&place)).unwrap();
+    let mut file = AtomicFile::create(Path::new(&place)).unwrap();
     file.write_all(&[1; 1 << 16]).unwrap();
     wait();
 }
@@ -77,11 +77,11 @@ fn the_next_program_removes_what_dead_writers_left_and_nothing_else() {
     let dead = [writer(&in_it("a")), writer(&in_it("a")), writer(&in_it("b"))];
     dead.into_iter().for_each(killed);
     assert_eq!(temporaries(folder.path()).len(), 5);
-    let file = WholeFile::create(&in_it("d")).unwrap();
+    let file = AtomicFile::create(&in_it("d")).unwrap();
     assert_eq!(temporaries(folder.path()).len(), 3, "the link, that of the living, that of this one");
     file.finish(Durability::InCache).unwrap();
     killed(living);
-    assert_eq!(artifact::whole_file::sweep(folder.path()), 1);
+    assert_eq!(artifact::atomic_file::remove_stale(folder.path()), 1);
     assert_eq!(std::fs::read(in_it("mine")).unwrap(), b"mine");
     assert_eq!(std::fs::read(in_it(".table.csv.part")).unwrap(), b"mine");
     assert!(["a", "b", "c"].iter().all(|name| !in_it(name).exists()));
@@ -97,15 +97,15 @@ fn a_file_of_another_machine_is_left_until_nothing_was_written_to_it_for_a_day()
     let letters = name.split('.').nth(2).unwrap();
     let foreign = folder.path().join(name.replace(letters, "another1"));
     std::fs::write(&foreign, "of another machine").unwrap();
-    assert_eq!(artifact::whole_file::sweep(folder.path()), 1, "the dead one of this machine");
+    assert_eq!(artifact::atomic_file::remove_stale(folder.path()), 1, "the dead one of this machine");
     let silent_for = |hours: u64| {
         let last = std::time::SystemTime::now() - std::time::Duration::from_secs(3600 * hours);
         std::fs::File::options().write(true).open(&foreign).unwrap().set_modified(last).unwrap();
     };
     silent_for(23);
-    assert_eq!(artifact::whole_file::sweep(folder.path()), 0);
+    assert_eq!(artifact::atomic_file::remove_stale(folder.path()), 0);
     silent_for(25);
-    assert_eq!(artifact::whole_file::sweep(folder.path()), 1);
+    assert_eq!(artifact::atomic_file::remove_stale(folder.path()), 1);
     assert!(temporaries(folder.path()).is_empty());
 }
 
@@ -118,14 +118,14 @@ fn writers_and_sweepers_at_once_lose_nothing() {
             let place = place(writer);
             scope.spawn(move || {
                 for round in 0..500_u32 {
-                    let mut file = WholeFile::create(&place).unwrap();
+                    let mut file = AtomicFile::create(&place).unwrap();
                     file.write_all(&round.to_le_bytes()).unwrap();
                     file.finish(Durability::InCache).unwrap();
                 }
             });
         }
         // It may take a file between its making and its locking: its writer makes another one.
-        scope.spawn(|| (0..2000).for_each(|_| _ = artifact::whole_file::sweep(folder.path())));
+        scope.spawn(|| (0..2000).for_each(|_| _ = artifact::atomic_file::remove_stale(folder.path())));
     });
     (0..4).for_each(|writer| assert_eq!(std::fs::read(place(writer)).unwrap(), 499_u32.to_le_bytes()));
     assert!(temporaries(folder.path()).is_empty());
@@ -139,11 +139,11 @@ fn folders_of_dead_writers_go_with_all_they_hold_and_those_of_living_ones_stay()
     [folder_writer(&in_it("set")), folder_writer(&in_it("other"))].into_iter().for_each(killed);
     assert_eq!(temporaries(folder.path()).len(), 3);
     // Whatever is written there next.
-    WholeFile::create(&in_it("d")).unwrap().finish(Durability::InCache).unwrap();
+    AtomicFile::create(&in_it("d")).unwrap().finish(Durability::InCache).unwrap();
     let left = temporaries(folder.path());
     assert!(left.len() == 1 && left[0].join("below/file").is_file(), "{left:?}");
     killed(living);
-    assert_eq!(artifact::whole_file::sweep(folder.path()), 1);
+    assert_eq!(artifact::atomic_file::remove_stale(folder.path()), 1);
 }
 
 #[test]
@@ -151,9 +151,9 @@ fn of_two_that_fill_one_folder_the_first_has_it_and_nothing_is_mixed() {
     let folder = tempfile::tempdir().unwrap();
     let place = folder.path().join("set");
     std::fs::create_dir(&place).unwrap(); // an empty one is no hindrance
-    let both = [(); 2].map(|()| WholeFolder::create(&place).unwrap());
+    let both = [(); 2].map(|()| AtomicFolder::create(&place).unwrap());
     for (writer, name) in both.iter().zip(["a", "b"]) {
-        std::fs::write(writer.filled().join(name), name).unwrap();
+        std::fs::write(writer.path().join(name), name).unwrap();
     }
     let [first, second] = both;
     second.finish().unwrap();

@@ -3,20 +3,20 @@
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test ends where it meets what it did not expect")]
 
-use artifact::whole_file::{Durability, PlaceRule, WholeFile, WholeFolder, check};
+use artifact::atomic_file::{AtomicFile, AtomicFolder, Durability, OutputPathFault, check};
 use artifact::{Fault, inputs};
 use std::io::Write;
 use std::os::unix::fs::{FileTypeExt, PermissionsExt, symlink};
 use std::path::Path;
 
 fn write(place: &Path, text: &str) -> Result<(), Fault> {
-    let mut file = WholeFile::create(place).map_err(|e| e.fault)?;
+    let mut file = AtomicFile::create(place).map_err(|e| e.fault)?;
     file.write_all(text.as_bytes()).unwrap();
     file.finish(Durability::InCache).map_err(|e| e.fault)
 }
 
 /// The rule that an attempt to write there breaks.
-fn rule(place: &Path) -> PlaceRule {
+fn rule(place: &Path) -> OutputPathFault {
     match write(place, "new").unwrap_err() {
         Fault::Place(rule) => rule,
         other => panic!("{}: {other}", place.display()),
@@ -40,10 +40,10 @@ fn what_is_no_plain_file_is_refused_and_stays_what_it_is() {
     symlink(&fifo, &to_fifo).unwrap();
     // Refused by what it is, before anything could be written to it.
     symlink("/dev/null", &to_device).unwrap();
-    assert_eq!(rule(&fifo), PlaceRule::Special("a FIFO"));
-    assert_eq!(rule(&socket), PlaceRule::Special("a socket"));
-    assert_eq!(rule(&to_fifo), PlaceRule::Special("a FIFO"));
-    assert_eq!(rule(&to_device), PlaceRule::Special("a device"));
+    assert_eq!(rule(&fifo), OutputPathFault::Special("a FIFO"));
+    assert_eq!(rule(&socket), OutputPathFault::Special("a socket"));
+    assert_eq!(rule(&to_fifo), OutputPathFault::Special("a FIFO"));
+    assert_eq!(rule(&to_device), OutputPathFault::Special("a device"));
     let kind = |place: &Path| std::fs::symlink_metadata(place).unwrap().file_type();
     assert!(kind(&fifo).is_fifo() && kind(&socket).is_socket());
     assert!(kind(&to_fifo).is_symlink() && kind(&to_device).is_symlink());
@@ -61,12 +61,12 @@ fn folders_links_to_nothing_and_protected_files_are_refused() {
     symlink(folder.path().join("nothing"), &dangling).unwrap();
     std::fs::write(&protected, "old").unwrap();
     std::fs::set_permissions(&protected, std::fs::Permissions::from_mode(0o444)).unwrap();
-    assert_eq!(rule(&inner), PlaceRule::Folder);
-    assert_eq!(rule(&to_folder), PlaceRule::Folder);
-    assert_eq!(rule(Path::new("..")), PlaceRule::Folder);
-    assert_eq!(rule(Path::new("")), PlaceRule::Nameless);
-    assert_eq!(rule(&dangling), PlaceRule::DanglingLink);
-    assert_eq!(rule(&protected), PlaceRule::WriteProtected);
+    assert_eq!(rule(&inner), OutputPathFault::Folder);
+    assert_eq!(rule(&to_folder), OutputPathFault::Folder);
+    assert_eq!(rule(Path::new("..")), OutputPathFault::Folder);
+    assert_eq!(rule(Path::new("")), OutputPathFault::Nameless);
+    assert_eq!(rule(&dangling), OutputPathFault::DanglingLink);
+    assert_eq!(rule(&protected), OutputPathFault::WriteProtected);
     assert_eq!(std::fs::read(&protected).unwrap(), b"old");
     assert!(!folder.path().join("nothing").exists());
 }
@@ -102,17 +102,17 @@ fn an_input_is_refused_by_whatever_name_it_is_asked_for() {
     for place in [input.clone(), hard, soft, folder.path().join("./input"), folder.path().join("x/../input")]
     {
         std::fs::create_dir_all(folder.path().join("x")).unwrap();
-        assert!(matches!(rule(&place), PlaceRule::Input { .. }), "{}", place.display());
+        assert!(matches!(rule(&place), OutputPathFault::Input { .. }), "{}", place.display());
         assert!(check(&place).is_err_and(|e| e.is_system()));
     }
     write(&other, "new").unwrap();
     // An input that is opened while its place is being written is not replaced either.
-    let mut output = WholeFile::create(&late).unwrap();
+    let mut output = AtomicFile::create(&late).unwrap();
     output.write_all(b"new").unwrap();
-    inputs::note(&late);
+    inputs::register_path(&late);
     assert!(matches!(
         output.finish(Durability::OnDisk).unwrap_err().fault,
-        Fault::Place(PlaceRule::Input { .. })
+        Fault::Place(OutputPathFault::Input { .. })
     ));
     assert_eq!(
         (std::fs::read(&input).unwrap(), std::fs::read(&late).unwrap()),
@@ -126,7 +126,7 @@ fn a_file_that_has_taken_the_number_of_an_input_that_is_gone_is_none() {
     let folder = tempfile::tempdir().unwrap();
     let (input, output) = (folder.path().join("input"), folder.path().join("output"));
     std::fs::write(&input, "was read").unwrap();
-    inputs::note(&input);
+    inputs::register_path(&input);
     // Renamed, it keeps its number, and nothing has the name any more that it was read by.
     std::fs::rename(&input, &output).unwrap();
     write(&output, "new").unwrap();
@@ -149,11 +149,11 @@ fn a_link_to_an_empty_folder_stands_for_that_folder_and_one_that_leads_nowhere_i
     std::fs::create_dir(&target).unwrap();
     std::os::unix::fs::symlink(&target, &link).unwrap();
     std::os::unix::fs::symlink(folder.path().join("none"), &nowhere).unwrap();
-    let whole = WholeFolder::create(&link).unwrap();
-    std::fs::write(whole.filled().join("a"), "new").unwrap();
+    let whole = AtomicFolder::create(&link).unwrap();
+    std::fs::write(whole.path().join("a"), "new").unwrap();
     whole.finish().unwrap();
     assert_eq!(std::fs::read(target.join("a")).unwrap(), b"new");
     assert!(std::fs::symlink_metadata(&link).unwrap().is_symlink());
-    let refused = WholeFolder::create(&nowhere).err().unwrap().to_string();
+    let refused = AtomicFolder::create(&nowhere).err().unwrap().to_string();
     assert!(refused.contains("nowhere"), "{refused}");
 }

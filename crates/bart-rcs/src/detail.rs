@@ -1,6 +1,6 @@
 //! Levels of detail: fewer paths for the same echo, with a measured error; and the stage that produces them.
 
-pub(crate) mod looks; // fields of path tables at samples of a cube
+pub(crate) mod sampled_chirps; // fields of path tables at samples of a cube
 pub(crate) mod merged_paths; // merging of paths with like phase rotation
 pub(crate) mod scattering_centres; // orthogonal matching pursuit
 pub(crate) mod statistical_points; // random points with the body's statistics

@@ -11,5 +11,5 @@ pub(crate) mod face_waves; // waves over faces, from edge to edge
 pub(crate) mod edge_currents; // the fringe integral along an edge
 pub(crate) mod mirror_window; // field behind a mirror of finite size
 pub(crate) mod truncation; // truncation of a double reflection at own edges
-pub(crate) mod parted_sequences; // double reflections with truncation
+pub(crate) mod off_specular_sequences; // double reflections with truncation
 pub(crate) mod edge_scattering; // S of all edges

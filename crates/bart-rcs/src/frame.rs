@@ -2,7 +2,7 @@
 
 pub(crate) mod cells; // lit polygons and edges as cells with one node each
 pub(crate) mod path_sum; // S from path records, by definition
-mod array_places; // row along which paths are traced, and the pair of the check
+mod array_positions; // row along which paths are traced, and the pair of the check
 pub(crate) mod path_plan; // parameters of a frame's tracing
 pub(crate) mod band_power; // sums and mean powers over the band
 pub(crate) mod path_pruning; // paths too weak to matter

@@ -1,10 +1,10 @@
 //! Integration of a field over a lit polygon, in closed form.
 
 pub(crate) mod polarization; // polarization vectors of a leg, through its mirrors
-pub(crate) mod steps; // surfaces between an antenna and a node
+pub(crate) mod leg_surfaces; // surfaces between an antenna and a node
 pub(crate) mod divided_difference; // divided differences of exp: phase and polynomial over a triangle
 pub(crate) mod chebyshev; // interpolation over a band from few frequencies
-pub(crate) mod turns; // phasors of one length at several wavenumbers
+pub(crate) mod phasors; // phasors of one length at several wavenumbers
 pub(crate) mod polygon_phase; // integral of a linear phase over a polygon, exactly
 pub(crate) mod node; // a lit polygon with both its legs
 pub(crate) mod field; // the integrand of a node

@@ -28,7 +28,7 @@
 //! the same facet, they are joined, and physical optics is integrated over the common polygon in closed form.
 //! The crate `po-sbr` has slow, obvious reference methods that share none of this.
 
-mod oversight; // errors, memory limits, progress
+mod run_control; // errors, memory limits, progress
 mod geometry; // points, planes, polygons
 mod mesh; // topology and edges of a mesh
 mod materials; // reflection and transmission
@@ -45,26 +45,26 @@ mod detail; // fewer paths for the same echo; the stage that makes them from a s
 pub use beams::beam::{Audit, Beam, BeamTree, OrderAudit, TraceSettings};
 pub use bodies::road::usual_road;
 pub use bodies::world::World;
-pub use detail::level::reduced;
+pub use detail::level::reduce_detail;
 pub use detail::tracer::Tracer;
 pub use frame::expected_work::ExpectedWork;
 pub use frame::left_out::echo_parts::{EchoParts, ORDERS as ORDERS_OF_PARTS, RoadParts};
-pub use frame::path::FrameSurroundings;
+pub use frame::path::FrameContext;
 pub use frame::path_plan::{MOMENTS_MAX, paths_are_at_limit};
 pub use frame::path_sum::{PathView, scattering_of_paths};
 pub use frame::path_table::{element_offset_m, largest_cell_m};
 pub use geometry::antenna::Antenna;
 pub use geometry::facet_geometry::FacetGeometry;
 pub use geometry::plane::Plane;
-pub use oversight::called_off::CalledOff;
-pub use oversight::error::BartError;
-pub use oversight::memory::{MemoryLimit, memory_estimate_bytes};
-pub use oversight::progress::{Phase, Progress, Unheard};
 pub use radar::standpoint::Standpoint;
+pub use run_control::cancellation::CancellationCheck;
+pub use run_control::error::BartError;
+pub use run_control::memory::{MemoryLimit, memory_estimate_bytes};
+pub use run_control::progress::{NoProgress, Phase, Progress};
 pub use surface::skin::{Role, Skin};
 pub use table::antennas::check_antennas;
+pub use table::checkpoint::{CheckpointKey, CheckpointStore, NoCheckpoint};
 pub use table::contributions::{Contribution, contributions};
 pub use table::far_field_error::{FarFieldError, Spread};
-pub use table::keeper::{Keeper, NothingKept, Piece};
 pub use table::rcs_request::RcsRequest;
-pub use table::rcs_table::{Followed, RcsResult, RcsSeconds, Surroundings, rcs, rcs_within};
+pub use table::rcs_table::{MirrorRefinement, RcsContext, RcsResult, RcsSeconds, rcs, rcs_within};

@@ -9,7 +9,7 @@ use artifact::Accuracy;
 use artifact::paths::PathsFrame;
 use artifact::scene::{Meshes, SceneFrame, SceneHeader, Target, TargetKind};
 use artifact::settings::{BetweenBodies, Edges, NodeRule};
-use bart_rcs::{EchoParts, FrameSurroundings, PathView, Tracer, Unheard, scattering_of_paths, usual_road};
+use bart_rcs::{EchoParts, FrameContext, NoProgress, PathView, Tracer, scattering_of_paths, usual_road};
 use bodies::scenes::scene;
 use bodies::{car, cuboid};
 use glam::DVec3;
@@ -30,11 +30,11 @@ fn two_bodies() -> (SceneHeader, SceneFrame) {
 }
 
 fn parts(header: &SceneHeader, frame: &SceneFrame) -> EchoParts {
-    Tracer::new(header).unwrap().parts(header, frame, &Unheard).unwrap().unwrap()
+    Tracer::new(header).unwrap().echo_parts(header, frame, &NoProgress).unwrap().unwrap()
 }
 
 fn traced(header: &SceneHeader, frame: &SceneFrame) -> PathsFrame {
-    Tracer::new(header).unwrap().paths(header, frame, &FrameSurroundings::ALONE).unwrap()
+    Tracer::new(header).unwrap().paths(header, frame, &FrameContext::ALONE).unwrap()
 }
 
 /// S of a frame over the band, one number for each of 32 frequencies.
@@ -131,5 +131,5 @@ fn nothing_in_view_has_no_parts_and_what_the_scene_asks_for_changes_none() {
     let mut empty = header.clone();
     empty.targets.clear();
     let nothing = SceneFrame { poses: vec![], ..frame };
-    assert_eq!(Tracer::new(&empty).unwrap().parts(&empty, &nothing, &Unheard).unwrap(), None);
+    assert_eq!(Tracer::new(&empty).unwrap().echo_parts(&empty, &nothing, &NoProgress).unwrap(), None);
 }

@@ -8,7 +8,7 @@
 mod bodies;
 
 use artifact::scene::{Meshes, SceneFrame, SceneHeader, Target, TargetKind};
-use bart_rcs::{ExpectedWork, FrameSurroundings, Tracer};
+use bart_rcs::{ExpectedWork, FrameContext, Tracer};
 use bodies::scenes::scene;
 use bodies::{car, cuboid};
 use glam::DVec3;
@@ -38,7 +38,7 @@ fn as_many_facets_and_beams_are_expected_as_a_frame_has() {
     let scene = two_bodies(0.0);
     let expected = expected(&scene);
     let traced =
-        Tracer::new(&scene.0).unwrap().paths(&scene.0, &scene.1, &FrameSurroundings::ALONE).unwrap().trace;
+        Tracer::new(&scene.0).unwrap().paths(&scene.0, &scene.1, &FrameContext::ALONE).unwrap().trace;
     assert_eq!(expected.facets, traced.triangles as f64);
     for (order, expected) in (1..).zip(expected.beams) {
         let ratio = expected / traced.beams[order - 1] as f64;

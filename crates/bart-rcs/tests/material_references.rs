@@ -183,7 +183,7 @@ fn orders_two_and_three_in_a_coated_corner_are_what_ever_finer_rays_tend_to() {
     for (name, mesh, aspect, bounces) in cases {
         let rays = |per_wavelength| {
             let shooting =
-                sbr::Shooting { per_wavelength, bounces, sides: Sides::Two, bracket: Bracket::Plain };
+                sbr::RaySettings { per_wavelength, bounces, sides: Sides::Two, bracket: Bracket::Plain };
             sbr::amplitude(&mesh, &aspect, &FREQUENCIES_HZ, &shooting).unwrap().orders
         };
         let (coarse, fine) = (rays(16.0), rays(48.0));

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test ends where it meets what it did not expect")]
 
 use artifact::Accuracy;
-use artifact::material::{Backing, Layer, Makeup, Material, Thickness, Transmission};
+use artifact::material::{Backing, Layer, Material, MeshMaterials, Thickness, Transmission};
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;
 use artifact::settings::NodeRule;
@@ -41,7 +41,7 @@ fn mesh(polygons: &[(Vec<[f64; 3]>, Material)]) -> Mesh {
 }
 
 fn in_metal(mesh: &Mesh) -> Mesh {
-    Mesh { makeup: Makeup::default(), ..mesh.clone() }
+    Mesh { makeup: MeshMaterials::default(), ..mesh.clone() }
 }
 
 /// A rectangle across x at `x_m`, facing +x.
@@ -322,7 +322,8 @@ fn many_frequencies_of_a_resonant_coat_are_each_frequency_alone() {
 #[test]
 fn a_skin_that_names_only_conductors_changes_no_bit() {
     let mut body = mixed_corner();
-    body.makeup = Makeup { materials: vec![Material::Conductor; 3], transmission: Transmission::Ignored };
+    body.makeup =
+        MeshMaterials { materials: vec![Material::Conductor; 3], transmission: Transmission::Ignored };
     let asked = RcsRequest { range_m: 6.0, ..request(5.0, 18.0) };
     let [named, bare] =
         [body.clone(), in_metal(&body)].map(|b| rcs(&b, &asked, &|_, _| {}).unwrap().amplitude_m);
@@ -330,7 +331,7 @@ fn a_skin_that_names_only_conductors_changes_no_bit() {
 }
 
 fn through_sheets(mesh: Mesh) -> Mesh {
-    Mesh { makeup: Makeup { transmission: Transmission::Followed, ..mesh.makeup.clone() }, ..mesh }
+    Mesh { makeup: MeshMaterials { transmission: Transmission::Followed, ..mesh.makeup.clone() }, ..mesh }
 }
 
 /// Coefficients r and t·e^{jkd} of a sheet at 0°, written down once more.

@@ -12,7 +12,7 @@ mod bodies;
 use artifact::Accuracy;
 use artifact::paths::PathsFrame;
 use artifact::scene::{Mesh, Meshes, Pose, SceneFrame, SceneHeader, Target, TargetKind};
-use bart_rcs::{FrameSurroundings, MOMENTS_MAX, PathView, RcsRequest, Tracer, rcs, scattering_of_paths};
+use bart_rcs::{FrameContext, MOMENTS_MAX, PathView, RcsRequest, Tracer, rcs, scattering_of_paths};
 use bodies::scenes::scene;
 use bodies::{car, cuboid};
 use glam::{DMat3, DVec3};
@@ -42,7 +42,7 @@ fn passing(car_y_m: f64, car_mps: f64, yaw_rad: f64, accuracy_db: f64) -> Scene 
 }
 
 fn traced((header, frame): &Scene) -> PathsFrame {
-    Tracer::new(header).unwrap().paths(header, frame, &FrameSurroundings::ALONE).unwrap()
+    Tracer::new(header).unwrap().paths(header, frame, &FrameContext::ALONE).unwrap()
 }
 
 /// All bodies of a moment as one mesh at rest about [`ORIGIN_M`].
@@ -190,7 +190,7 @@ fn a_frame_like_a_split_one_is_split_as_that_one() {
     assert!(moments(&measured) > 1, "one moment does not do");
     let like = Tracer::new(&scene.0)
         .unwrap()
-        .paths(&scene.0, &scene.1, &FrameSurroundings { like: Some(&measured), ..FrameSurroundings::ALONE })
+        .paths(&scene.0, &scene.1, &FrameContext { like: Some(&measured), ..FrameContext::ALONE })
         .unwrap();
     assert!(like.paths == measured.paths && like.trace.fineness == measured.trace.fineness);
 }

@@ -9,7 +9,7 @@ use artifact::radar::Polarization;
 use artifact::scene::{Mesh, SceneFrame, SceneHeader};
 use artifact::settings::{Edges, NodeRule, Sides};
 use artifact::units::SPEED_OF_LIGHT_MPS;
-use bart_rcs::{BartError, FrameSurroundings, PathView, Standpoint, Tracer, scattering_of_paths};
+use bart_rcs::{BartError, FrameContext, PathView, Standpoint, Tracer, scattering_of_paths};
 use glam::DVec3;
 use num_complex::Complex64;
 use po_sbr::{Aspect, Bracket, po};
@@ -55,7 +55,7 @@ fn scene(road: Option<Road>) -> (SceneHeader, SceneFrame) {
 
 fn traced(road: Option<Road>) -> PathsFrame {
     let (header, frame) = scene(road);
-    Tracer::new(&header).unwrap().paths(&header, &frame, &FrameSurroundings::ALONE).unwrap()
+    Tracer::new(&header).unwrap().paths(&header, &frame, &FrameContext::ALONE).unwrap()
 }
 
 fn smooth(material: Material) -> Option<Road> {
@@ -182,7 +182,7 @@ fn a_body_below_the_road_is_refused_by_its_name() {
     ] {
         let (header, mut frame) = scene(road);
         frame.poses[0].position_m[2] = z_m;
-        let found = Tracer::new(&header).unwrap().paths(&header, &frame, &FrameSurroundings::ALONE);
+        let found = Tracer::new(&header).unwrap().paths(&header, &frame, &FrameContext::ALONE);
         match found {
             Err(BartError::BodyBelowRoad { body, highest_m }) => {
                 assert!(is_refused && body == "car-0" && (highest_m + 0.085).abs() < 1e-9, "{highest_m}");
@@ -240,7 +240,7 @@ fn the_road_s_cost_beside_a_corner_of_three_bounces_is_that_of_all_its_orders() 
         let (mut header, frame) = bodies::scenes::scene(&trihedral(0.3), &[at]);
         (header.road, header.fidelity.bounces) = (road, 3);
         header.fidelity.accuracy = Accuracy::from_db(-50.0);
-        Tracer::new(&header).unwrap().paths(&header, &frame, &FrameSurroundings::ALONE).unwrap()
+        Tracer::new(&header).unwrap().paths(&header, &frame, &FrameContext::ALONE).unwrap()
     };
     let road = Road { material: Material::HalfSpace { permittivity: ASPHALT }, rms_height_m: 5e-4 };
     let alone = of(None);
@@ -263,7 +263,7 @@ fn edges_over_a_road_are_those_of_the_ways_that_do_not_meet_it() {
         header.radar.array.polarization = polarization;
         (header.road, header.fidelity.nodes, header.fidelity.accuracy) =
             (road, nodes, Accuracy::from_db(-50.0));
-        let traced = Tracer::new(&header).unwrap().paths(&header, &frame, &FrameSurroundings::ALONE);
+        let traced = Tracer::new(&header).unwrap().paths(&header, &frame, &FrameContext::ALONE);
         let (p, q) = polarization.indices();
         sum(&traced.unwrap().paths)[p][q]
     };
@@ -291,8 +291,7 @@ fn corners_over_a_road_have_one_level_by_every_node_rule() {
         let (mut header, frame) = bodies::scenes::scene(&mesh, &[([0.0, 25.0, 0.0], yaw, [0.0; 3])]);
         (header.road, header.fidelity.nodes, header.fidelity.accuracy) =
             (road, nodes, Accuracy::from_db(-40.0));
-        let paths =
-            Tracer::new(&header).unwrap().paths(&header, &frame, &FrameSurroundings::ALONE).unwrap().paths;
+        let paths = Tracer::new(&header).unwrap().paths(&header, &frame, &FrameContext::ALONE).unwrap().paths;
         assert!(paths.iter().any(|path| path.order == 2));
         sum(&paths)[1][1]
     };

@@ -11,8 +11,8 @@ use artifact::radar::Polarization;
 use artifact::scene::Mesh;
 use artifact::settings::Edges;
 use bart_rcs::{
-    BartError, CalledOff, Keeper, MemoryLimit, NothingKept, Piece, RcsRequest, RcsResult, RcsSeconds,
-    Surroundings, Unheard, rcs, rcs_within,
+    BartError, CancellationCheck, CheckpointKey, CheckpointStore, MemoryLimit, NoCheckpoint, NoProgress,
+    RcsContext, RcsRequest, RcsResult, RcsSeconds, rcs, rcs_within,
 };
 use bodies::car;
 use std::collections::BTreeMap;
@@ -31,47 +31,47 @@ fn request(count: usize, accuracy_db: f64) -> RcsRequest {
     }
 }
 
-/// Pieces that a keeper hands out, and those that it is given.
+/// Aspects that a checkpoint loads, and those that it stores.
 #[derive(Default)]
 struct Memory {
-    found: BTreeMap<Piece, Vec<u8>>,
-    made: Mutex<BTreeMap<Piece, Vec<u8>>>,
+    found: BTreeMap<CheckpointKey, Vec<u8>>,
+    made: Mutex<BTreeMap<CheckpointKey, Vec<u8>>>,
 }
 
-impl Keeper for Memory {
-    fn kept(&self, piece: Piece) -> Option<&[u8]> {
-        self.found.get(&piece).map(Vec::as_slice)
+impl CheckpointStore for Memory {
+    fn load(&self, key: CheckpointKey) -> Option<&[u8]> {
+        self.found.get(&key).map(Vec::as_slice)
     }
 
-    fn keep(&self, piece: Piece, bytes: &[u8]) {
-        self.made.lock().unwrap().insert(piece, bytes.to_vec());
+    fn store(&self, key: CheckpointKey, bytes: &[u8]) {
+        self.made.lock().unwrap().insert(key, bytes.to_vec());
     }
 }
 
-fn kept_by<'a>(keeper: &'a dyn Keeper, called_off: CalledOff<'a>) -> Surroundings<'a> {
+fn kept_by<'a>(checkpoint: &'a dyn CheckpointStore, cancellation: CancellationCheck<'a>) -> RcsContext<'a> {
     let memory_limit = MemoryLimit::NONE;
-    Surroundings { memory_limit, keeper, progress: &Unheard, clock_s: &|| 0.0, called_off }
+    RcsContext { memory_limit, checkpoint, progress: &NoProgress, clock_s: &|| 0.0, cancellation }
 }
 
-fn made_with(mesh: &Mesh, request: &RcsRequest, keeper: &dyn Keeper) -> RcsResult {
-    let surroundings = kept_by(keeper, CalledOff::NEVER);
-    RcsResult { seconds: RcsSeconds::default(), ..rcs_within(mesh, request, &surroundings).unwrap() }
+fn made_with(mesh: &Mesh, request: &RcsRequest, checkpoint: &dyn CheckpointStore) -> RcsResult {
+    let context = kept_by(checkpoint, CancellationCheck::NEVER);
+    RcsResult { seconds: RcsSeconds::default(), ..rcs_within(mesh, request, &context).unwrap() }
 }
 
 /// Runs once, then again from some of its pieces.
-fn resumed(mesh: &Mesh, request: &RcsRequest) -> BTreeMap<Piece, Vec<u8>> {
+fn resumed(mesh: &Mesh, request: &RcsRequest) -> BTreeMap<CheckpointKey, Vec<u8>> {
     let first = Memory::default();
     let whole = made_with(mesh, request, &first);
-    assert_eq!(whole, made_with(mesh, request, &NothingKept), "keeping changes something");
+    assert_eq!(whole, made_with(mesh, request, &NoCheckpoint), "keeping changes something");
     let all = first.made.into_inner().unwrap();
     let parts: [fn(usize) -> bool; 4] = [|i| i < 1, |i| i % 3 == 1, |i| i != 5, |_| true];
     for (number, part) in parts.into_iter().enumerate() {
         let found: BTreeMap<_, _> =
             all.clone().into_iter().enumerate().filter(|(i, _)| part(*i)).map(|(_, entry)| entry).collect();
         let (there, of) = (found.len(), all.len());
-        let keeper = Memory { found, made: Mutex::default() };
-        assert_eq!(made_with(mesh, request, &keeper), whole, "part {number}");
-        let made = keeper.made.into_inner().unwrap().len();
+        let checkpoint = Memory { found, made: Mutex::default() };
+        assert_eq!(made_with(mesh, request, &checkpoint), whole, "part {number}");
+        let made = checkpoint.made.into_inner().unwrap().len();
         println!("{there} of {of} pieces were there, {made} made");
         assert_eq!(made, of - there);
     }
@@ -92,15 +92,15 @@ fn a_table_that_goes_on_from_some_of_its_aspects_is_the_same_to_the_bit() {
 
 #[test]
 fn a_table_that_is_called_off_ends_with_the_aspect_under_way() {
-    let (mesh, keeper) = (car(6).mesh(), Memory::default());
-    let is_called_off = || keeper.made.lock().unwrap().len() >= 2;
+    let (mesh, checkpoint) = (car(6).mesh(), Memory::default());
+    let is_called_off = || checkpoint.made.lock().unwrap().len() >= 2;
     let ended = |request: &RcsRequest| {
-        rcs_within(&mesh, request, &kept_by(&keeper, CalledOff::by(&is_called_off))).err()
+        rcs_within(&mesh, request, &kept_by(&checkpoint, CancellationCheck::by(&is_called_off))).err()
     };
     // Of one thread one aspect is under way at a time.
     let one_thread = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
-    assert_eq!(one_thread.install(|| ended(&request(48, -20.0))), Some(BartError::CalledOff));
-    assert_eq!(keeper.made.lock().unwrap().len(), 2);
+    assert_eq!(one_thread.install(|| ended(&request(48, -20.0))), Some(BartError::Cancelled));
+    assert_eq!(checkpoint.made.lock().unwrap().len(), 2);
 }
 
 #[test]
@@ -109,11 +109,10 @@ fn damaged_bytes_of_a_keeper_are_made_anew() {
     let first = Memory::default();
     let whole = made_with(&mesh, &request, &first);
     let cut = |bytes: Vec<u8>| bytes[..bytes.len() - 8].to_vec();
-    let found =
-        first.made.into_inner().unwrap().into_iter().map(|(piece, bytes)| (piece, cut(bytes))).collect();
-    let keeper = Memory { found, made: Mutex::default() };
-    assert_eq!(made_with(&mesh, &request, &keeper), whole);
-    assert_eq!(keeper.made.into_inner().unwrap().len(), 3);
+    let found = first.made.into_inner().unwrap().into_iter().map(|(key, bytes)| (key, cut(bytes))).collect();
+    let checkpoint = Memory { found, made: Mutex::default() };
+    assert_eq!(made_with(&mesh, &request, &checkpoint), whole);
+    assert_eq!(checkpoint.made.into_inner().unwrap().len(), 3);
 }
 
 #[test]
@@ -121,7 +120,7 @@ fn aspects_of_another_shape_are_made_anew() {
     let mesh = car(6).mesh();
     // Near by, errors of the integrals and of the model are measured at all of six aspects.
     let asked = RcsRequest { range_m: 5.0, bounces: 2, ..request(6, -20.0) };
-    let whole = made_with(&mesh, &asked, &NothingKept);
+    let whole = made_with(&mesh, &asked, &NoCheckpoint);
     let others = [
         RcsRequest { bounces: 1, ..asked.clone() },
         RcsRequest { bounces: 3, ..asked.clone() },
@@ -132,9 +131,9 @@ fn aspects_of_another_shape_are_made_anew() {
     for other in others {
         let first = Memory::default();
         made_with(&mesh, &other, &first);
-        let keeper = Memory { found: first.made.into_inner().unwrap(), made: Mutex::default() };
-        let found = made_with(&mesh, &asked, &keeper);
-        let made = keeper.made.into_inner().unwrap().len();
+        let checkpoint = Memory { found: first.made.into_inner().unwrap(), made: Mutex::default() };
+        let found = made_with(&mesh, &asked, &checkpoint);
+        let made = checkpoint.made.into_inner().unwrap().len();
         println!("{} bounces, {} frequencies: {made} made", other.bounces, other.frequency_hz.len());
         match other.range_m.is_finite() {
             true => assert_eq!((found, made), (whole.clone(), 6)),
@@ -222,7 +221,7 @@ fn what_drops_more_than_was_asked_is_traced_again_with_smaller_mirrors() {
         made_with(
             &mesh,
             &RcsRequest { azimuth_rad: azimuths.clone(), elevation_rad: vec![0.6], ..request(1, db) },
-            &NothingKept,
+            &NoCheckpoint,
         )
     };
     let (got, exact) = (at(-10.0), at(-60.0));
@@ -238,7 +237,7 @@ fn what_drops_more_than_was_asked_is_traced_again_with_smaller_mirrors() {
         &RcsRequest { azimuth_rad: azimuths.clone(), elevation_rad: vec![0.6], ..request(1, -10.0) },
     );
     assert_eq!(
-        resumed.keys().map(|piece| (piece.pass, piece.aspect)).collect::<Vec<_>>(),
+        resumed.keys().map(|key| (key.pass, key.aspect)).collect::<Vec<_>>(),
         [(0, 0), (0, 1), (0, 2), (1, 0)]
     );
 }

@@ -5,7 +5,7 @@ mod bodies;
 
 use artifact::Accuracy;
 use artifact::scene::{Meshes, Target, TargetKind};
-use bart_rcs::{FrameSurroundings, Tracer};
+use bart_rcs::{FrameContext, Tracer};
 use bodies::scenes::scene;
 use bodies::{car, cuboid};
 use glam::DVec3;
@@ -24,7 +24,7 @@ fn a_kerb_beside_a_car_is_integrated_coarser_than_the_car() {
     header.meshes = Meshes::from(vec![car, kerb]);
     let kind = TargetKind::Mesh { class: None, model: "kerb".into(), mesh: 1 };
     header.targets[1] = Target { kind, ..header.targets[1].clone() };
-    let traced = Tracer::new(&header).unwrap().paths(&header, &frame, &FrameSurroundings::ALONE).unwrap();
+    let traced = Tracer::new(&header).unwrap().paths(&header, &frame, &FrameContext::ALONE).unwrap();
     let fineness = traced.trace.fineness.unwrap().integrals;
     println!("{fineness:?}; told {:.1} dB", 20.0 * traced.error.total().unwrap().log10());
     let [of_car, of_kerb] = [0, 1].map(|body| fineness[body].accuracy);

@@ -19,11 +19,11 @@ const SAME_LENGTH_SHARE: f64 = 1e-3;
 
 /// Whether each triangle (metres from a point of the axis, which is y) belongs to a body of revolution.
 pub(crate) fn are_of_revolution(triangles_m: &[[DVec3; 3]]) -> Vec<bool> {
-    let outlines: Vec<Outline> = triangles_m.iter().map(Outline::of).collect();
+    let measures: Vec<TriangleMeasures> = triangles_m.iter().map(TriangleMeasures::of).collect();
     let radius_m = triangles_m.iter().flatten().map(|p| p.x.hypot(p.z)).fold(0.0, f64::max);
     let mut is_round = vec![false; triangles_m.len()];
-    for alike in alike(&outlines, SAME_LENGTH_SHARE * radius_m) {
-        if closes_a_ring(&outlines, &alike) {
+    for alike in alike(&measures, SAME_LENGTH_SHARE * radius_m) {
+        if closes_a_ring(&measures, &alike) {
             alike.into_iter().for_each(|i| is_round[i] = true);
         }
     }
@@ -31,7 +31,7 @@ pub(crate) fn are_of_revolution(triangles_m: &[[DVec3; 3]]) -> Vec<bool> {
 }
 
 /// Measures of a triangle that rotation about the axis preserves, and its angles about it.
-struct Outline {
+struct TriangleMeasures {
     /// Mean and greatest distance of the corners from the axis.
     mean_radius_m: f64,
     greatest_radius_m: f64,
@@ -46,7 +46,7 @@ struct Outline {
     width_rad: f64,
 }
 
-impl Outline {
+impl TriangleMeasures {
     fn of(corners_m: &[DVec3; 3]) -> Self {
         let [a, b, c] = *corners_m;
         let radii_m = corners_m.map(|p| p.x.hypot(p.z));
@@ -77,33 +77,33 @@ fn angle(p: DVec3) -> f64 {
 }
 
 /// Groups of triangles with similar lengths.
-fn alike(outlines: &[Outline], tolerance_m: f64) -> Vec<Vec<usize>> {
-    let mut groups: Vec<Vec<usize>> = vec![(0..outlines.len()).collect()];
-    let lengths: [fn(&Outline) -> f64; 5] = [
-        |outline| outline.mean_radius_m,
-        |outline| outline.greatest_radius_m,
-        |outline| outline.mean_along_m,
-        |outline| outline.greatest_along_m,
-        |outline| outline.perimeter_m,
+fn alike(measures: &[TriangleMeasures], tolerance_m: f64) -> Vec<Vec<usize>> {
+    let mut groups: Vec<Vec<usize>> = vec![(0..measures.len()).collect()];
+    let lengths: [fn(&TriangleMeasures) -> f64; 5] = [
+        |measures| measures.mean_radius_m,
+        |measures| measures.greatest_radius_m,
+        |measures| measures.mean_along_m,
+        |measures| measures.greatest_along_m,
+        |measures| measures.perimeter_m,
     ];
     for length_m in lengths {
-        let of = |i: usize| length_m(&outlines[i]);
-        groups = groups.into_iter().flat_map(|group| parted(group, of, tolerance_m)).collect();
+        let of = |i: usize| length_m(&measures[i]);
+        groups = groups.into_iter().flat_map(|group| split_at_jumps(group, of, tolerance_m)).collect();
     }
     groups
 }
 
 /// Splits a group at jumps of a length.
-fn parted(mut group: Vec<usize>, of: impl Fn(usize) -> f64, tolerance_m: f64) -> Vec<Vec<usize>> {
+fn split_at_jumps(mut group: Vec<usize>, of: impl Fn(usize) -> f64, tolerance_m: f64) -> Vec<Vec<usize>> {
     group.sort_by(|a, b| of(*a).total_cmp(&of(*b)).then(a.cmp(b)));
     group.chunk_by(|a, b| of(*b) - of(*a) <= tolerance_m).map(<[usize]>::to_vec).collect()
 }
 
 /// Whether similar triangles are evenly spaced all round without a gap.
-fn closes_a_ring(outlines: &[Outline], alike: &[usize]) -> bool {
-    let mut angles: Vec<f64> = alike.iter().map(|&i| outlines[i].angle_rad).collect();
+fn closes_a_ring(measures: &[TriangleMeasures], alike: &[usize]) -> bool {
+    let mut angles: Vec<f64> = alike.iter().map(|&i| measures[i].angle_rad).collect();
     angles.sort_by(f64::total_cmp);
-    let narrowest_rad = alike.iter().map(|&i| outlines[i].width_rad).fold(f64::INFINITY, f64::min);
+    let narrowest_rad = alike.iter().map(|&i| measures[i].width_rad).fold(f64::INFINITY, f64::min);
     (1..=MOST_ALIKE).any(|in_sector| {
         let sectors = angles.len() / in_sector;
         let step_rad = TAU / sectors as f64;

@@ -66,8 +66,8 @@ fn groups(mesh: &Mesh, is_named: &[bool]) -> Vec<Vec<Extent>> {
         return vec![];
     }
     let extents: Vec<Extent> = named.map(|(triangle, _)| Extent::of(mesh, triangle)).collect();
-    let along = apart(extents, 0);
-    along.into_iter().flat_map(|group| apart(group, 1)).collect()
+    let along = split_at_gaps(extents, 0);
+    along.into_iter().flat_map(|group| split_at_gaps(group, 1)).collect()
 }
 
 /// A triangle with its bounding box.
@@ -89,7 +89,7 @@ fn corners_m(mesh: &Mesh, triangle: u32) -> [DVec3; 3] {
 }
 
 /// Splits groups at gaps along an axis.
-fn apart(mut extents: Vec<Extent>, axis: usize) -> Vec<Vec<Extent>> {
+fn split_at_gaps(mut extents: Vec<Extent>, axis: usize) -> Vec<Vec<Extent>> {
     extents.sort_by(|a, b| a.low_m[axis].total_cmp(&b.low_m[axis]).then(a.triangle.cmp(&b.triangle)));
     let mut groups: Vec<Vec<Extent>> = vec![];
     let mut reached_m = f64::NEG_INFINITY;
@@ -116,7 +116,7 @@ fn wheel(mesh: &Mesh, group: &[Extent], ground_m: f64) -> Option<RoadWheel> {
         return None;
     }
     let corners: Vec<[DVec3; 3]> = group.iter().map(|extent| corners_m(mesh, extent.triangle)).collect();
-    let Outline { hub_m, height_to_length } = outline(&corners, 0.5 * (low_m + high_m), size_m.z)?;
+    let WheelOutline { hub_m, height_to_length } = outline(&corners, 0.5 * (low_m + high_m), size_m.z)?;
     let rounder = DVec3::new(height_to_length, 1.0, 1.0);
     let from_hub: Vec<[DVec3; 3]> =
         corners.iter().map(|triangle| triangle.map(|corner| rounder * (corner - hub_m))).collect();
@@ -129,7 +129,7 @@ fn wheel(mesh: &Mesh, group: &[Extent], ground_m: f64) -> Option<RoadWheel> {
 }
 
 /// A wheel's outline: the middle of the axle, and the ratio of height to length.
-struct Outline {
+struct WheelOutline {
     hub_m: DVec3,
     height_to_length: f64,
 }
@@ -137,12 +137,12 @@ struct Outline {
 /// Least-squares ellipse with axes along x and z through the outermost corners: corners may be uneven, and a
 /// vehicle scaled to its size has wheels slightly higher than long. The previous ellipse determines which
 /// corners are outermost. `None` if there is no such ellipse.
-fn outline(corners_m: &[[DVec3; 3]], middle_m: DVec3, height_m: f64) -> Option<Outline> {
+fn outline(corners_m: &[[DVec3; 3]], middle_m: DVec3, height_m: f64) -> Option<WheelOutline> {
     let places: Vec<DVec3> =
         corners_m.iter().flatten().map(|corner| (*corner - middle_m) / (0.5 * height_m)).collect();
     let circle = (DVec3::ZERO, 1.0);
     let (centre, height_to_length) = (0..4).try_fold(circle, |last, _| ellipse(&places, last))?;
-    Some(Outline { hub_m: middle_m + 0.5 * height_m * centre, height_to_length })
+    Some(WheelOutline { hub_m: middle_m + 0.5 * height_m * centre, height_to_length })
 }
 
 /// Centre and ratio of height to length of A·x² + C·z² + D·x + E·z = 1 through the corners that are outermost

@@ -17,7 +17,7 @@ pub const NAMES: [&str; 4] = ["pole", "sign", "guard-rail", "kerb"];
 
 /// A piece of street furniture and its size, in metres.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Piece {
+pub enum Furniture {
     /// An upright steel tube.
     Pole {
         /// Height over the ground.
@@ -42,7 +42,7 @@ pub enum Piece {
     },
 }
 
-impl Piece {
+impl Furniture {
     /// Name of the piece, one of [`NAMES`].
     pub fn name(&self) -> &'static str {
         match self {
@@ -55,15 +55,15 @@ impl Piece {
 }
 
 /// Makes the piece, standing on z = 0 around the origin.
-pub fn mesh(piece: &Piece) -> Mesh {
+pub fn mesh(piece: &Furniture) -> Mesh {
     let mut prisms = Prisms::default();
     match *piece {
-        Piece::Pole { height_m, diameter_m } => {
+        Furniture::Pole { height_m, diameter_m } => {
             prisms.upright(&circle([0.0, 0.0], diameter_m), [0.0, height_m], "steel");
         }
-        Piece::Sign { height_m } => draw_sign(&mut prisms, height_m),
-        Piece::GuardRail { length_m } => guard_rail::draw(&mut prisms, length_m),
-        Piece::Kerb { length_m } => {
+        Furniture::Sign { height_m } => draw_sign(&mut prisms, height_m),
+        Furniture::GuardRail { length_m } => guard_rail::draw(&mut prisms, length_m),
+        Furniture::Kerb { length_m } => {
             prisms.along(&kerbstone(), [-0.5 * length_m, 0.5 * length_m], "concrete");
         }
     }
@@ -88,11 +88,11 @@ mod tests {
     use glam::DVec3;
     use std::collections::BTreeMap;
 
-    const PIECES: [Piece; 4] = [
-        Piece::Pole { height_m: 6.0, diameter_m: 0.114 },
-        Piece::Sign { height_m: 2.85 },
-        Piece::GuardRail { length_m: 8.0 },
-        Piece::Kerb { length_m: 20.0 },
+    const PIECES: [Furniture; 4] = [
+        Furniture::Pole { height_m: 6.0, diameter_m: 0.114 },
+        Furniture::Sign { height_m: 2.85 },
+        Furniture::GuardRail { length_m: 8.0 },
+        Furniture::Kerb { length_m: 20.0 },
     ];
 
     fn corners(mesh: &Mesh, t: &[u32; 3]) -> [DVec3; 3] {
@@ -150,7 +150,7 @@ mod tests {
     #[test]
     fn a_pole_has_the_volume_of_its_cylinder_and_chords_that_show_no_facets() {
         let [height_m, diameter_m] = [6.0, 0.114];
-        let mesh = mesh(&Piece::Pole { height_m, diameter_m });
+        let mesh = mesh(&Furniture::Pole { height_m, diameter_m });
         let sides = mesh.vertices_m.len() as f64 / 2.0;
         let cylinder_m3 = std::f64::consts::PI * 0.25 * diameter_m * diameter_m * height_m;
         let share = volume_m3(&mesh) / cylinder_m3;

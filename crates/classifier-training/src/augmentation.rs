@@ -46,7 +46,12 @@ impl Augmentation {
 
 /// One varied copy of a pooled crop `[side, side]`; `key` names the copy, so that no two are varied alike and
 /// the same key always gives the same copy.
-pub(crate) fn varied(pooled: &[u8], format: &CropFormat, augmentation: &Augmentation, key: Key) -> Vec<u8> {
+pub(crate) fn augmented(
+    pooled: &[u8],
+    format: &CropFormat,
+    augmentation: &Augmentation,
+    key: VariationKey,
+) -> Vec<u8> {
     let mut generator = ChaCha8Rng::from_seed(seed::key(key.seed, "classifier/augmentation", &[key.example]));
     let side = pooled.len().isqrt();
     let mut draw = |limit: f64| limit * generator.random_range(-1.0..=1.0);
@@ -62,7 +67,7 @@ pub(crate) fn varied(pooled: &[u8], format: &CropFormat, augmentation: &Augmenta
 
 /// Names one draw: the n-th example that training takes.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Key {
+pub(crate) struct VariationKey {
     pub(crate) seed: u64,
     pub(crate) example: u64,
 }
@@ -109,12 +114,12 @@ mod tests {
 
     const FORMAT: CropFormat =
         CropFormat { side: 64, range_span_m: 32.0, velocity_span_mps: 8.0, floor_db: -5.0, ceiling_db: 46.0 };
-    const KEY: Key = Key { seed: 5, example: 8 };
+    const KEY: VariationKey = VariationKey { seed: 5, example: 8 };
 
     #[test]
     fn no_variation_leaves_the_crop_as_it_is() {
         let crop: Vec<u8> = (0..64 * 64).map(|p| (p % 256) as u8).collect();
-        assert_eq!(varied(&crop, &FORMAT, &Augmentation::NONE, KEY), crop);
+        assert_eq!(augmented(&crop, &FORMAT, &Augmentation::NONE, KEY), crop);
     }
 
     #[test]
@@ -124,7 +129,7 @@ mod tests {
         let augmentation = Augmentation { range_shift_m: 2.0, velocity_shift_mps: 0.5, ..Augmentation::NONE };
         let mut places = std::collections::BTreeSet::new();
         for example in 0..500 {
-            let copy = varied(&crop, &FORMAT, &augmentation, Key { seed: 1, example });
+            let copy = augmented(&crop, &FORMAT, &augmentation, VariationKey { seed: 1, example });
             let at = copy.iter().position(|p| *p == 255).unwrap();
             places.insert((at / 64, at % 64));
         }
@@ -147,7 +152,7 @@ mod tests {
     #[test]
     fn noise_has_the_deviation_asked_for() {
         let augmentation = Augmentation { noise_db: 2.0, ..Augmentation::NONE };
-        let copy = varied(&vec![128; 64 * 64], &FORMAT, &augmentation, KEY);
+        let copy = augmented(&vec![128; 64 * 64], &FORMAT, &augmentation, KEY);
         let squares: f64 = copy.iter().map(|p| (f64::from(*p) - 128.0).powi(2)).sum();
         let deviation = (squares / copy.len() as f64).sqrt();
         // Ten levels; the estimate from 4096 pixels scatters by 10/√8192 = 0.11, five times that.

@@ -4,7 +4,7 @@
 //! its probabilities are what they say. The weights go to the crate `classifier`, which answers without the
 //! learning library that is needed here: a main job does not build it.
 //!
-//! Reading order: variation of crops → order → network → training → temperature → model folder.
+//! Reading order: variation of crops → batches → network → training → temperature → model folder.
 //!
 //! ```
 //! use artifact::dataset::{Crop, CropFormat, Sample, Split};
@@ -61,15 +61,15 @@ mod error;
 mod initial; // weights before the first crop
 mod network; // the network in the learning library's terms
 mod augmentation; // variation of training crops
-mod deal; // who trains and who tests, by the paper and beside it
-mod order; // in which they are taken
+mod split_protocol; // who trains and who tests, by the paper and beside it
+mod batch_sampler; // batches of shuffled examples
 mod metrics; // what is told of a training
 mod training; // Adam, best epoch
 mod model_folder; // weights, metrics and curves to disk
 
 pub use augmentation::Augmentation;
-pub use deal::{COPIES, Deal};
 pub use error::TrainingError;
 pub use metrics::Metrics;
 pub use model_folder::save_model;
-pub use training::{CurvePoint, Progress, Schedule, TrainSettings, Trained, train, train_dealt};
+pub use split_protocol::{COPIES, SplitProtocol};
+pub use training::{CurvePoint, Progress, Schedule, TrainSettings, Trained, train, train_with_protocol};

@@ -8,7 +8,7 @@ use artifact::{Provenance, inputs};
 use clap::{Parser, ValueEnum};
 use classifier::{format_of, samples_of};
 use classifier_training::{
-    Deal, Progress, TrainSettings, Trained, TrainingError, save_model, train, train_dealt,
+    Progress, SplitProtocol, TrainSettings, Trained, TrainingError, save_model, train, train_with_protocol,
 };
 use serde_json::{Value, json};
 use std::io::Write;
@@ -27,7 +27,7 @@ struct Arguments {
     /// Parts augmented images as said, whatever splits the dataset has, and tells `{"metrics": …, "curves":
     /// …}` in place of a model.
     #[arg(long, conflicts_with = "out")]
-    deal: Option<DealWord>,
+    deal: Option<SplitProtocolArgument>,
     /// Seed of the initial weights and the order of samples.
     #[arg(long)]
     seed: u64,
@@ -55,8 +55,8 @@ fn run(arguments: &Arguments) -> Result<(), TrainingError> {
     let samples = arguments.shards.iter().flat_map(|shard| samples_of(shard));
     let mut progress = |p: Progress| print_line(&json!({ "at": p.iteration, "of": p.iterations }));
     if let Some(deal) = arguments.deal {
-        let settings = (&TrainSettings::dealt(arguments.iterations), deal.into());
-        let trained = train_dealt(samples, &format, settings, arguments.seed, &mut progress)?;
+        let settings = (&TrainSettings::of_protocol(arguments.iterations), deal.into());
+        let trained = train_with_protocol(samples, &format, settings, arguments.seed, &mut progress)?;
         print_line(&json!({ "metrics": trained.metrics, "curves": trained.curves }));
     } else if let Some(out) = &arguments.out {
         let settings = TrainSettings::of_maps(arguments.iterations);
@@ -67,20 +67,20 @@ fn run(arguments: &Arguments) -> Result<(), TrainingError> {
     Ok(())
 }
 
-/// [`Deal`] on the command line.
+/// [`SplitProtocol`] on the command line.
 #[derive(Debug, Clone, Copy, ValueEnum)]
-enum DealWord {
+enum SplitProtocolArgument {
     Images,
     Maps,
     Vehicles,
 }
 
-impl From<DealWord> for Deal {
-    fn from(word: DealWord) -> Self {
+impl From<SplitProtocolArgument> for SplitProtocol {
+    fn from(word: SplitProtocolArgument) -> Self {
         match word {
-            DealWord::Images => Self::Images,
-            DealWord::Maps => Self::Maps,
-            DealWord::Vehicles => Self::Vehicles,
+            SplitProtocolArgument::Images => Self::Images,
+            SplitProtocolArgument::Maps => Self::Maps,
+            SplitProtocolArgument::Vehicles => Self::Vehicles,
         }
     }
 }
@@ -113,7 +113,7 @@ fn print_accuracy(trained: &Trained) {
 /// ended. The library has no way to call it off from its progress, so the process ends here.
 fn print_line(line: &Value) {
     if writeln!(std::io::stdout(), "{line}").is_err() {
-        let _nothing_new = artifact::whole_file::abandon_all();
+        let _nothing_new = artifact::atomic_file::remove_all_temporaries();
         std::process::exit(2);
     }
 }

@@ -2,8 +2,8 @@
 
 use crate::error::TrainingError;
 use crate::training::{CurvePoint, Trained};
+use artifact::atomic_file::{self, Durability};
 use artifact::model::Model;
-use artifact::whole_file::{self, Durability};
 use artifact::{Provenance, Writer};
 use classifier::{CURVES_FILE, METRICS_FILE, WEIGHTS_FILE};
 use std::path::Path;
@@ -13,9 +13,9 @@ pub fn save_model(folder: &Path, trained: &Trained, provenance: &Provenance) -> 
     let mut metrics = serde_json::to_vec_pretty(&trained.metrics)
         .map_err(|e| TrainingError::Library { doing: "write the metrics as JSON", cause: e.into() })?;
     metrics.push(b'\n');
-    whole_file::write(&folder.join(METRICS_FILE), &metrics, Durability::OnDisk)?;
+    atomic_file::write(&folder.join(METRICS_FILE), &metrics, Durability::OnDisk)?;
     let curves = curves_csv(&trained.curves);
-    whole_file::write(&folder.join(CURVES_FILE), curves.as_bytes(), Durability::OnDisk)?;
+    atomic_file::write(&folder.join(CURVES_FILE), curves.as_bytes(), Durability::OnDisk)?;
     let mut writer = Writer::<Model>::create(&folder.join(WEIGHTS_FILE), provenance, &trained.header)?;
     writer.write(&trained.weights)?;
     Ok(writer.finish()?)

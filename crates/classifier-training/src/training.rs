@@ -1,12 +1,12 @@
 //! Fitting the network to a dataset: Adam, the best epoch by validation, calibrated, then tested once.
 
-use crate::augmentation::{Augmentation, Key, varied};
-use crate::deal::{Copying, Deal, dealt};
+use crate::augmentation::{Augmentation, VariationKey, augmented};
+use crate::batch_sampler::BatchSampler;
 use crate::error::TrainingError;
 use crate::initial::initial;
 use crate::metrics::Metrics;
 use crate::network::{self, Network};
-use crate::order::Order;
+use crate::split_protocol::{ImageAugmenter, SplitProtocol, split_examples};
 use artifact::ArtifactError;
 use artifact::dataset::{CropFormat, Sample, Split};
 use artifact::model::{Learner, ModelHeader, NetworkShape, Weights};
@@ -74,7 +74,7 @@ impl TrainSettings {
     }
 
     /// Settings of [`Self::of_maps`] with the paper's rate throughout.
-    pub fn dealt(iterations: u32) -> Self {
+    pub fn of_protocol(iterations: u32) -> Self {
         Self { schedule: Schedule::Constant, ..Self::of_maps(iterations) }
     }
 
@@ -191,18 +191,18 @@ pub fn train(
 
 /// Trains as [`train`] does, with the samples' augmented copies parted as `deal` says and not as the
 /// dataset has them: training crops are not varied any further.
-pub fn train_dealt(
+pub fn train_with_protocol(
     samples: impl Iterator<Item = Result<Sample, ArtifactError>>,
     format: &CropFormat,
-    (settings, deal): (&TrainSettings, Deal),
+    (settings, deal): (&TrainSettings, SplitProtocol),
     seed: u64,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Trained, TrainingError> {
     settings.check()?;
     let header = header(format, settings);
     let examples = Examples::read(samples, &Layout::of(&header)?)?;
-    let copying = Copying { format, augmentation: &settings.augmentation, seed };
-    let examples = dealt(&examples, &copying, deal)?;
+    let augmenter = ImageAugmenter { format, augmentation: &settings.augmentation, seed };
+    let examples = split_examples(&examples, &augmenter, deal)?;
     let as_dealt = TrainSettings { augmentation: Augmentation::NONE, ..*settings };
     fitted(&examples, header, format, &as_dealt, seed, progress)
 }
@@ -216,8 +216,8 @@ fn fitted(
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Trained, TrainingError> {
     let layout = Layout::of(&header)?;
-    check_classes(needed(examples, Split::Train)?)?;
-    let validation = needed(examples, Split::Validation)?;
+    check_classes(required_split(examples, Split::Train)?)?;
+    let validation = required_split(examples, Split::Validation)?;
     let fitted = Training::new(examples, &layout, format, settings, seed)?.run(validation, progress)?;
     let (parameters, temperature) = calibrated(fitted.best.parameters, layout, validation)?;
     let classifier = Classifier::from_parameters(layout, &parameters)?;
@@ -266,17 +266,17 @@ fn calibrated(
     let logits = Classifier::from_parameters(layout, &parameters)?.logits(validation);
     let answers: Vec<_> = validation.iter().zip(&logits).map(|(e, l)| (e.class, *l, 1.0)).collect();
     let temperature = fitted_temperature(&answers);
-    Ok((cooled(parameters, temperature), temperature))
+    Ok((temperature_scaled(parameters, temperature), temperature))
 }
 
 /// The parameters whose logits are those of `parameters` divided by `temperature`: the last layer is linear.
-fn cooled(parameters: Parameters, temperature: f64) -> Parameters {
+fn temperature_scaled(parameters: Parameters, temperature: f64) -> Parameters {
     let last = [tensor_name::LINEAR_WEIGHT, tensor_name::LINEAR_BIAS];
     parameters.changed(&last, |value| (f64::from(value) / temperature) as f32)
 }
 
 /// The examples of a split that must not be empty.
-fn needed(examples: &Examples, split: Split) -> Result<&[Example], TrainingError> {
+fn required_split(examples: &Examples, split: Split) -> Result<&[Example], TrainingError> {
     match examples.of(split) {
         [] => Err(TrainingError::EmptySplit(split)),
         examples => Ok(examples),
@@ -290,20 +290,20 @@ struct Training<'a> {
     format: &'a CropFormat,
     settings: &'a TrainSettings,
     seed: u64,
-    order: Order,
+    sampler: BatchSampler,
     device: Device,
     network: Network,
     optimizer: ModuleOptimizer,
 }
 
 /// Result of a training.
-struct Fitted {
-    best: Best,
+struct FitResult {
+    best: BestEpoch,
     curves: Vec<CurvePoint>,
 }
 
 /// The weights of the epoch that validated best.
-struct Best {
+struct BestEpoch {
     iteration: u32,
     validation_log_loss: f64,
     parameters: Parameters,
@@ -321,15 +321,15 @@ impl<'a> Training<'a> {
         let network = Network::new(layout, &initial(layout, seed), &device)?;
         let optimizer = AdamWConfig::new().with_weight_decay(settings.weight_decay as f32).init();
         let examples = examples.of(Split::Train);
-        let order = Order::new(examples.len(), seed);
-        Ok(Self { examples, layout, format, settings, seed, order, device, network, optimizer })
+        let sampler = BatchSampler::new(examples.len(), seed);
+        Ok(Self { examples, layout, format, settings, seed, sampler, device, network, optimizer })
     }
 
     fn run(
         mut self,
         validation: &[Example],
         progress: &mut dyn FnMut(Progress),
-    ) -> Result<Fitted, TrainingError> {
+    ) -> Result<FitResult, TrainingError> {
         let iterations = self.settings.iterations;
         let (mut best, mut curves, mut epoch) = (None, Vec::new(), Vec::new());
         for iteration in 1..=iterations {
@@ -346,14 +346,14 @@ impl<'a> Training<'a> {
             progress(Progress { iteration, iterations, log_loss, epoch: point });
         }
         let best = best.ok_or(TrainingError::Diverged { iteration: iterations })?;
-        Ok(Fitted { best, curves })
+        Ok(FitResult { best, curves })
     }
 
     /// One batch forward, backward and a step; returns true classes and logits.
     fn step(&mut self, iteration: u32) -> Result<Vec<(usize, Logits)>, TrainingError> {
-        let taken = self.order.take(self.settings.batch as usize);
+        let taken = self.sampler.next_batch(self.settings.batch as usize);
         let crops: Vec<Vec<u8>> =
-            taken.iter().map(|(example, index)| self.varied(*example, *index)).collect();
+            taken.iter().map(|(example, index)| self.augmented(*example, *index)).collect();
         let classes: Vec<usize> = taken.iter().map(|(_, index)| self.examples[*index].class).collect();
         let logits = self.network.forward(network::input(&crops, self.layout.input_side, &self.device));
         let answers = network::logits(logits.clone().inner())?;
@@ -366,9 +366,9 @@ impl<'a> Training<'a> {
         Ok(classes.into_iter().zip(answers).collect())
     }
 
-    fn varied(&self, example: u64, index: usize) -> Vec<u8> {
-        let key = Key { seed: self.seed, example };
-        varied(&self.examples[index].pooled, self.format, &self.settings.augmentation, key)
+    fn augmented(&self, example: u64, index: usize) -> Vec<u8> {
+        let key = VariationKey { seed: self.seed, example };
+        augmented(&self.examples[index].pooled, self.format, &self.settings.augmentation, key)
     }
 
     fn validate(
@@ -376,7 +376,7 @@ impl<'a> Training<'a> {
         iteration: u32,
         epoch: &[(usize, Logits)],
         validation: &[Example],
-        best: &mut Option<Best>,
+        best: &mut Option<BestEpoch>,
     ) -> Result<CurvePoint, TrainingError> {
         let parameters = self.network.parameters()?;
         let logits = Classifier::from_parameters(*self.layout, &parameters)?.logits(validation);
@@ -391,7 +391,7 @@ impl<'a> Training<'a> {
         };
         // Not a number is never lower.
         if point.validation_log_loss < best.as_ref().map_or(f64::INFINITY, |b| b.validation_log_loss) {
-            *best = Some(Best { iteration, validation_log_loss: point.validation_log_loss, parameters });
+            *best = Some(BestEpoch { iteration, validation_log_loss: point.validation_log_loss, parameters });
         }
         Ok(point)
     }

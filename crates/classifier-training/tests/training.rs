@@ -6,7 +6,9 @@ use artifact::ArtifactError;
 use artifact::dataset::{Sample, Split};
 use artifact::settings::Class;
 use classifier::{Classifier, ClassifierError, evaluate};
-use classifier_training::{Augmentation, Deal, TrainSettings, Trained, TrainingError, train, train_dealt};
+use classifier_training::{
+    Augmentation, SplitProtocol, TrainSettings, Trained, TrainingError, train, train_with_protocol,
+};
 use toy::{FORMAT, SETTINGS, samples};
 
 fn all_right(samples: Vec<Sample>) -> impl Iterator<Item = Result<Sample, ArtifactError>> {
@@ -190,10 +192,10 @@ fn progress_tells_every_iteration_and_every_epoch() {
 fn a_deal_has_the_papers_proportions_and_does_not_ask_which_splits_a_dataset_has() {
     let all =
         || all_right(samples(200)).map(|sample| sample.map(|sample| Sample { split: Split::Test, ..sample }));
-    let told = train_dealt(all(), &FORMAT, (&quick(), Deal::Maps), 1, &mut |_| ()).unwrap();
+    let told = train_with_protocol(all(), &FORMAT, (&quick(), SplitProtocol::Maps), 1, &mut |_| ()).unwrap();
     let counts: Vec<u64> = told.metrics.splits.values().map(|of| of.samples).collect();
     // 200 maps as 600 : 320 : 200 of 1120, four images each.
     assert_eq!(counts, [428, 228, 144]);
-    let again = train_dealt(all(), &FORMAT, (&quick(), Deal::Maps), 1, &mut |_| ()).unwrap();
+    let again = train_with_protocol(all(), &FORMAT, (&quick(), SplitProtocol::Maps), 1, &mut |_| ()).unwrap();
     assert!(told == again);
 }

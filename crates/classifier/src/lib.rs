@@ -41,19 +41,19 @@ pub use crops::network::{Logits, VARIANCE_FLOOR};
 pub use crops::parameters::{Parameters, Values};
 pub use crops::samples::{Example, Examples, format_of, samples_of};
 pub use crops::tensor_name;
-pub use ensembles::answers::{Part, of_tracks, parts};
-pub use ensembles::boosting::{BoostingSettings, Table, boosted};
-pub use ensembles::both_training::{BothSettings, train_both};
-pub use ensembles::likeness::{area_under_roc, likeness};
+pub use ensembles::boosting::{BoostingSettings, TrainingTable, boosted};
+pub use ensembles::combined_training::{CombinedSettings, train_combined};
+pub use ensembles::feature_similarity::{area_under_roc, feature_similarity};
 pub use ensembles::profile_training::{ProfileSettings, train_networks};
 pub use ensembles::signature_classifier::{SignatureClassifier, answer};
 pub use ensembles::signature_training::SignatureTraining;
-pub use ensembles::trained::{SignatureMetrics, Trained};
+pub use ensembles::track_metrics::{ClassificationMetrics, metrics_by_frame_and_track, track_logits};
+pub use ensembles::trained_model::{SignatureMetrics, TrainedModel};
 pub use ensembles::tree_training::{TreeSettings, train_trees};
 pub use ensembles::trees::logits as tree_logits;
-pub use ensembles::vehicles::{Seen, Sightings, TrackKey};
+pub use ensembles::vehicles::{Sighting, Sightings, TrackKey};
 pub use error::ClassifierError;
-pub use evaluation::by_vehicle::{ByVehicle, Told, by_vehicle};
+pub use evaluation::by_vehicle::{ByVehicle, ClassPrediction, by_vehicle};
 pub use evaluation::evaluate::{evaluate, evaluations};
 pub use evaluation::metrics::{
     Calibration, Evaluation, ModelAccuracy, ReliabilityBin, accuracy, log_loss, log_softmax,

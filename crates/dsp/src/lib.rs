@@ -89,7 +89,7 @@ pub use error::{Axis, DspError};
 pub use estimation::cramer_rao::cramer_rao;
 pub use numerics::incomplete_gamma::gamma_tail;
 pub use objects::foreign_points::objects_of_points;
-pub use objects::stationary::{Fold, is_at_rest, tolerance_mps};
+pub use objects::stationary::{FoldCertainty, is_at_rest, tolerance_mps};
 pub use receiver::Receiver;
 pub use spectrum::axes::{range_axis_m, velocity_axis_mps};
 pub use spectrum::inverse_transform::InverseRangeDoppler;

@@ -4,24 +4,24 @@ use crate::detection::censored::Censoring;
 use crate::detection::cfar::Cfar;
 use crate::detection::cfar_threshold::threshold_factor;
 use crate::detection::peaks::PeakFinder;
-use crate::detection::range_doppler::Floor;
+use crate::detection::range_doppler::NoiseFloorOrigin;
 use crate::direction::angle::VirtualArray;
 use crate::error::DspError;
 use crate::spectrum::map_transform::RangeDoppler;
-use crate::spectrum::noncoherent::Levels;
+use crate::spectrum::noncoherent::PowerLevels;
 use crate::spectrum::window::{noise_bandwidth_bins, taper};
 use artifact::Radar;
 use artifact::cube::CubeHeader;
 use artifact::rdm::RdmFrame;
 use artifact::settings::{DspSettings, Lanes};
-use radar::lattice::tells_azimuth;
+use radar::lattice::resolves_azimuth;
 use std::sync::Arc;
 
 /// Lanes that positions can be assigned to: those of the road. An array without extent along the row measures
 /// no azimuth, and so no lane.
-pub(crate) fn told_lanes(header: &CubeHeader) -> Lanes {
+pub(crate) fn measurable_lanes(header: &CubeHeader) -> Lanes {
     let road = header.dsp.road.clone();
-    if tells_azimuth(&header.radar) { road } else { Lanes { lanes: vec![], courses: vec![], ..road } }
+    if resolves_azimuth(&header.radar) { road } else { Lanes { lanes: vec![], courses: vec![], ..road } }
 }
 
 /// Values that follow from windows, settings and numbers of cells, independent of the chirp interval.
@@ -63,7 +63,7 @@ pub(crate) struct Plan {
     /// Detection settings.
     pub(crate) settings: DspSettings,
     /// Origin of the noise level that thresholds are based on.
-    pub(crate) floor: Floor,
+    pub(crate) floor: NoiseFloorOrigin,
     /// Transform from samples to maps.
     pub(crate) transform: RangeDoppler,
     /// Thresholds, shared with the other sub-frames.
@@ -86,8 +86,8 @@ impl Plan {
         let thresholds = Arc::new(Thresholds::new(&own[0])?);
         let plan = |(header, transform): (CubeHeader, RangeDoppler)| Self {
             array: VirtualArray::new(&header),
-            lanes: told_lanes(&header),
-            floor: Floor::of(&header),
+            lanes: measurable_lanes(&header),
+            floor: NoiseFloorOrigin::of(&header),
             radar: header.radar,
             settings: header.dsp,
             transform,
@@ -100,7 +100,7 @@ impl Plan {
     ///
     /// # Errors
     /// The map has another shape, or contains non-finite values.
-    pub(crate) fn levels(&self, map: &RdmFrame) -> Result<Levels, DspError> {
-        Levels::of(self.transform.shapes(), map)
+    pub(crate) fn levels(&self, map: &RdmFrame) -> Result<PowerLevels, DspError> {
+        PowerLevels::of(self.transform.shapes(), map)
     }
 }

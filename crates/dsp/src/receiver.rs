@@ -7,7 +7,7 @@ use crate::crops::signature::Signatures;
 use crate::detection::range_doppler::range_doppler;
 use crate::direction::calibration;
 use crate::error::DspError;
-use crate::objects::points::located;
+use crate::objects::points::locate_points;
 use crate::plan::Plan;
 use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::dataset::CropFormat;
@@ -67,7 +67,7 @@ impl Receiver {
     /// # Errors
     /// The map has another shape, or contains non-finite values.
     pub fn detect(&self, map: &RdmFrame) -> Result<PointsFrame, DspError> {
-        located(self.plan(map.index), map, None)
+        locate_points(self.plan(map.index), map, None)
     }
 
     /// [`Self::detect`] with the samples of the map: if the settings request it, isolated peaks are refined
@@ -83,7 +83,7 @@ impl Receiver {
         if refines && plan.radar.waveform.sampling != Sampling::Complex {
             return Err(DspError::Refinement);
         }
-        located(plan, map, refines.then_some(cube.samples.as_slice()))
+        locate_points(plan, map, refines.then_some(cube.samples.as_slice()))
     }
 
     /// Points of a whole cycle with resolved velocities, each sub-frame's by the other chirp interval of the

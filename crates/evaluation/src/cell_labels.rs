@@ -5,7 +5,7 @@
 //! of the channels are added, as in the map. A few channels, spread over the array, represent all of them.
 
 use crate::doppler_response::{at, reached};
-use crate::labels::{Group, MapResponse, PathOnMap};
+use crate::labels::{EchoGroup, MapResponse, PathOnMap};
 use artifact::cube::CubeHeader;
 use artifact::paths::PathsFrame;
 use artifact::radar::Radar;
@@ -19,7 +19,7 @@ use std::f64::consts::TAU;
 #[derive(Debug, Clone, PartialEq)]
 pub struct CellOrigins {
     /// Kinds of echo, by ascending bounces, then by the order of targets.
-    pub groups: Vec<Group>,
+    pub groups: Vec<EchoGroup>,
     /// The strongest kind in each cell, counted from 1; 0 if all kinds together are below the noise.
     pub strongest: Vec<u8>,
     /// Power of the strongest kind relative to the sum of the powers of the kinds in the cell, percent.
@@ -39,18 +39,18 @@ pub fn cell_origins(
 ) -> Result<CellOrigins, Sidelobes> {
     let response = MapResponse::new(header)?;
     let map = CellMap::of(header, &response);
-    let mut kinds: BTreeMap<Group, Vec<PathOnMap>> = BTreeMap::new();
+    let mut kinds: BTreeMap<EchoGroup, Vec<PathOnMap>> = BTreeMap::new();
     for echo in paths.paths.iter().map(|path| PathOnMap::of(&header.radar, path)) {
         kinds.entry(echo.group).or_default().push(echo);
     }
     let mut cells = vec![Strongest::default(); map.cells()];
     for (number, echoes) in (1..).zip(kinds.values()).take(GROUPS) {
         let power = map.power(echoes);
-        cells.iter_mut().zip(power).for_each(|(cell, power)| cell.meet(number, power));
+        cells.iter_mut().zip(power).for_each(|(cell, power)| cell.add(number, power));
     }
     let floor = noise_power / response.gain.powi(2);
-    let told = |cell: &Strongest| if cell.sum > floor { cell.told() } else { (0, 0) };
-    let (strongest, percent) = cells.iter().map(told).unzip();
+    let label = |cell: &Strongest| if cell.sum > floor { cell.label() } else { (0, 0) };
+    let (strongest, percent) = cells.iter().map(label).unzip();
     Ok(CellOrigins { groups: kinds.into_keys().take(GROUPS).collect(), strongest, percent })
 }
 
@@ -64,14 +64,14 @@ struct Strongest {
 }
 
 impl Strongest {
-    fn meet(&mut self, number: u8, power: f64) {
+    fn add(&mut self, number: u8, power: f64) {
         self.sum += power;
         if power > self.power {
             (self.number, self.power) = (number, power);
         }
     }
 
-    fn told(&self) -> (u8, u8) {
+    fn label(&self) -> (u8, u8) {
         (self.number, (100.0 * self.power / self.sum).round() as u8)
     }
 }
@@ -115,17 +115,17 @@ impl<'a> CellMap<'a> {
         let mut sums = vec![Complex64::ZERO; self.cells()];
         for echo in echoes {
             let ahead_m = transmit.dot(echo.directions[0]) + receive.dot(echo.directions[1]);
-            self.lay(echo, echo.value * Complex64::from_polar(1.0, -wavenumber * ahead_m), &mut sums);
+            self.add_echo(echo, echo.value * Complex64::from_polar(1.0, -wavenumber * ahead_m), &mut sums);
         }
         sums
     }
 
     /// Adds an echo's response to the cells around it. Rows are periodic, and so are the columns over a whole
     /// sample rate; the map of real samples shows half of these (the part that folds into it is left out).
-    fn lay(&self, echo: &PathOnMap, value: Complex64, sums: &mut [Complex64]) {
+    fn add_echo(&self, echo: &PathOnMap, value: Complex64, sums: &mut [Complex64]) {
         let [velocity_cell_mps, range_cell_m] = self.response.cells;
-        let tone = echo.shown.radial_velocity_mps / velocity_cell_mps;
-        let column = echo.shown.range_m / range_cell_m;
+        let tone = echo.position.radial_velocity_mps / velocity_cell_mps;
+        let column = echo.position.range_m / range_cell_m;
         for (row, left) in self.response.doppler.reached(tone, self.rows) {
             let of_row = value * left;
             let begin = (row + (self.rows / 2) as i64).rem_euclid(self.rows as i64) as usize * self.columns;
@@ -158,8 +158,8 @@ mod tests {
     #[test]
     fn the_strongest_of_two_kinds_has_its_share_of_their_power() {
         let mut cell = Strongest::default();
-        cell.meet(1, 1.0);
-        cell.meet(2, 3.0);
-        assert_eq!(cell.told(), (2, 75));
+        cell.add(1, 1.0);
+        cell.add(2, 3.0);
+        assert_eq!(cell.label(), (2, 75));
     }
 }

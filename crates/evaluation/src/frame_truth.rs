@@ -3,7 +3,7 @@
 
 use crate::labelled_box::LabelledBox;
 use crate::labels::Origin;
-use crate::pairing::{Pairing, Reach};
+use crate::pairing::{MeasurementLimits, Pairing};
 use crate::truth::{Truth, truths};
 use artifact::cube::CubeHeader;
 use artifact::paths::PathsFrame;
@@ -34,7 +34,7 @@ impl FrameTruth {
     ) -> Self {
         let view = view.in_frame(frame.index);
         let truths = truths(&view, frame, paths);
-        let pairing = Pairing::of(&truths, objects, &Reach::of(&view));
+        let pairing = Pairing::of(&truths, objects, &MeasurementLimits::of(&view));
         Self { truths, pairing, origins: vec![], bodies: vec![] }
     }
 
@@ -42,7 +42,7 @@ impl FrameTruth {
     /// place alone. `cube` is the radar of the frame with its settings.
     pub fn of_labels(cube: &CubeHeader, labels: &[LabelledBox], objects: &[Object]) -> Self {
         let truths: Vec<Truth> = labels.iter().map(|label| label.truth(cube)).collect();
-        let pairing = Pairing::of(&truths, objects, &Reach::by_place(&cube.radar));
+        let pairing = Pairing::of(&truths, objects, &MeasurementLimits::by_place(&cube.radar));
         Self { truths, pairing, origins: vec![], bodies: labels.iter().map(|label| label.number).collect() }
     }
 

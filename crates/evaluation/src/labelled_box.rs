@@ -1,7 +1,7 @@
 //! Bodies as a dataset labels them: upright boxes at a frame's middle, of which no velocity is known.
 
 use crate::ground_outline::GroundOutline;
-use crate::truth::{Truth, is_seen};
+use crate::truth::{Truth, is_in_field_of_view};
 use artifact::cube::CubeHeader;
 use artifact::scene::Role;
 use glam::{DVec2, DVec3};
@@ -35,7 +35,7 @@ impl LabelledBox {
             nearest_range_m: None,
             echo: None,
             role: Role::Target,
-            sends_back: is_seen(&cube.radar, away),
+            returns_echo: is_in_field_of_view(&cube.radar, away),
         }
     }
 }

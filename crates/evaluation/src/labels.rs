@@ -63,11 +63,11 @@ pub fn origins(
     let origin = |point: &Point| {
         let shares = map.shares(&header.radar, &echoes, point);
         let Some(label) = strongest(&shares, floor) else { return Origin::Noise };
-        let group = Group { target: label.target, order: label.order, bodies: label.bodies };
+        let group = EchoGroup { target: label.target, order: label.order, bodies: label.bodies };
         match shares.get(&group).map(|share| share.strongest) {
             // If the road itself is strongest, the point belongs to no target.
             _ if label.target == artifact::paths::GROUND => Origin::Ground,
-            Some(way) => Origin::Echo { label, bodies: met(&paths.paths[way]) },
+            Some(way) => Origin::Echo { label, bodies: bodies_on_path(&paths.paths[way]) },
             None => Origin::Noise,
         }
     };
@@ -90,11 +90,11 @@ impl Share {
 }
 
 /// The strongest group, if all groups together reach the noise.
-fn strongest(shares: &BTreeMap<Group, Share>, noise: f64) -> Option<Label> {
+fn strongest(shares: &BTreeMap<EchoGroup, Share>, noise: f64) -> Option<Label> {
     let sum: f64 = shares.values().map(Share::power).sum();
     let best = shares.iter().map(|(group, share)| (group, share.power())).fold(
         None,
-        |best: Option<(&Group, f64)>, new| match best {
+        |best: Option<(&EchoGroup, f64)>, new| match best {
             Some(best) if best.1 >= new.1 => Some(best),
             _ => Some(new),
         },
@@ -104,7 +104,7 @@ fn strongest(shares: &BTreeMap<Group, Share>, noise: f64) -> Option<Label> {
 }
 
 /// Bodies on a path.
-fn met(path: &Path) -> BTreeSet<u32> {
+fn bodies_on_path(path: &Path) -> BTreeSet<u32> {
     match path.sequence() {
         [] => BTreeSet::from([path.target]),
         facets => facets.iter().map(|facet| facet.body).collect(),
@@ -115,7 +115,7 @@ fn met(path: &Path) -> BTreeSet<u32> {
 /// of different targets on the path. A path and its reverse are one echo: its target is the one of the two
 /// ends that comes first in the scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Group {
+pub struct EchoGroup {
     /// Index of the target.
     pub target: u32,
     /// Bounces; 0 for a point target.
@@ -124,19 +124,19 @@ pub struct Group {
     pub bodies: u8,
 }
 
-impl Group {
+impl EchoGroup {
     fn of(path: &Path) -> Self {
         let target = path.sequence().last().map_or(path.target, |last| path.target.min(last.body));
-        Self { target, order: path.order, bodies: met(path).len() as u8 }
+        Self { target, order: path.order, bodies: bodies_on_path(path).len() as u8 }
     }
 }
 
 /// A path at the frame's middle, as seen in a map.
 pub(crate) struct PathOnMap {
-    pub(crate) group: Group,
+    pub(crate) group: EchoGroup,
     /// √W, with its phase in the middle of the sweep.
     pub(crate) value: Complex64,
-    pub(crate) shown: Shown,
+    pub(crate) position: MapPosition,
     /// Unit vectors from the array to the apparent points of the transmitter's and the receiver's side.
     pub(crate) directions: [DVec3; 2],
 }
@@ -145,9 +145,9 @@ impl PathOnMap {
     pub(crate) fn of(radar: &Radar, path: &Path) -> Self {
         let [there, back] = legs(radar, path);
         Self {
-            group: Group::of(path),
+            group: EchoGroup::of(path),
             value: echo_value(radar, path),
-            shown: Shown::of(
+            position: MapPosition::of(
                 &radar.waveform,
                 0.5 * (there.length_m + back.length_m),
                 0.5 * (there.rate_mps + back.rate_mps),
@@ -159,12 +159,12 @@ impl PathOnMap {
 
 /// Place on an unbounded map: a moving echo is shifted by f_c/μ metres for each m/s.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Shown {
+pub(crate) struct MapPosition {
     pub(crate) range_m: f64,
     pub(crate) radial_velocity_mps: f64,
 }
 
-impl Shown {
+impl MapPosition {
     fn of(waveform: &Waveform, range_m: f64, radial_velocity_mps: f64) -> Self {
         Self { range_m: range_m + coupling_m(waveform, radial_velocity_mps), radial_velocity_mps }
     }
@@ -203,13 +203,13 @@ impl MapResponse {
     }
 
     /// Finds the sum of each group in the cell of a point, beamformed to the point's direction, √W.
-    fn shares(&self, radar: &Radar, echoes: &[PathOnMap], point: &Point) -> BTreeMap<Group, Share> {
+    fn shares(&self, radar: &Radar, echoes: &[PathOnMap], point: &Point) -> BTreeMap<EchoGroup, Share> {
         let (w, toward) = (&radar.waveform, direction(point));
-        let shown = Shown::of(w, point.range_m, point.radial_velocity_mps);
-        let mut shares: BTreeMap<Group, Share> = BTreeMap::new();
+        let position = MapPosition::of(w, point.range_m, point.radial_velocity_mps);
+        let mut shares: BTreeMap<EchoGroup, Share> = BTreeMap::new();
         for (index, echo) in echoes.iter().enumerate() {
-            let Some(left) = self.left_of(w, echo, shown) else { continue };
-            let value = left.of(echo.value * beam(radar, echo, toward));
+            let Some(tone) = self.response_to(w, echo, position) else { continue };
+            let value = tone.of(echo.value * beam(radar, echo, toward));
             let share = shares.entry(echo.group).or_default();
             share.sum += value;
             if value.norm_sqr() >= share.largest {
@@ -222,30 +222,30 @@ impl MapResponse {
     /// Part of an echo's amplitude in the point's cell; `None` beyond the reach of the windows, with
     /// staggered chirps of the range window alone. Tones a sample rate apart are the same, as are rows a turn
     /// per chirp apart: echoes from beyond the map fold into it, with real samples also the image.
-    fn left_of(&self, w: &Waveform, echo: &PathOnMap, point: Shown) -> Option<Left> {
-        let left = |is_image: bool| {
+    fn response_to(&self, w: &Waveform, echo: &PathOnMap, point: MapPosition) -> Option<ToneResponse> {
+        let tone = |is_image: bool| {
             let sign = if is_image { -1.0 } else { 1.0 };
-            let place = |shown: Shown| shown.radial_velocity_mps / self.cells[0];
-            let columns = (sign * echo.shown.range_m - point.range_m) / self.cells[1];
+            let place = |position: MapPosition| position.radial_velocity_mps / self.cells[0];
+            let columns = (sign * echo.position.range_m - point.range_m) / self.cells[1];
             let columns = folded(columns, f64::from(w.samples));
             if columns.abs() >= REACH_CELLS {
                 return None;
             }
-            let of_row = self.doppler.at(sign * place(echo.shown), place(point), w.chirps)?;
-            Some(Left { share: of_row * at(&self.range, columns), is_image })
+            let of_row = self.doppler.at(sign * place(echo.position), place(point), w.chirps)?;
+            Some(ToneResponse { share: of_row * at(&self.range, columns), is_image })
         };
-        left(false).or_else(|| (w.sampling == Sampling::Real).then(|| left(true)).flatten())
+        tone(false).or_else(|| (w.sampling == Sampling::Real).then(|| tone(true)).flatten())
     }
 }
 
 /// Part of a tone's amplitude in a cell.
-struct Left {
+struct ToneResponse {
     share: Complex64,
     /// Whether it is the negative frequency of a real tone.
     is_image: bool,
 }
 
-impl Left {
+impl ToneResponse {
     fn of(&self, value: Complex64) -> Complex64 {
         self.share * if self.is_image { value.conj() } else { value }
     }

@@ -21,7 +21,7 @@ use artifact::tracks::Track;
 use glam::{DVec2, DVec3};
 use ndarray::{Array2, Axis};
 use radar::doppler_ambiguity::folded_mps;
-use radar::lattice::tells_azimuth;
+use radar::lattice::resolves_azimuth;
 
 /// Largest distance between an object and the outline of its body: an object in the middle of the next lane,
 /// 3.75 m away, is 2.9 m from the side of a car.
@@ -43,7 +43,7 @@ const OTHER_FOLD_M: f64 = 2.0;
 
 /// Limits of a radar's measurements of places and velocities.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Reach {
+pub struct MeasurementLimits {
     /// The radar's position, m.
     pub position_m: DVec3,
     /// Maximum unambiguous range, m.
@@ -53,29 +53,29 @@ pub struct Reach {
     /// Largest difference between the radial velocities of an object and its body.
     pub velocity_gate_mps: f64,
     /// Whether the array measures azimuths. Otherwise bodies are paired by range alone.
-    pub tells_azimuth: bool,
+    pub resolves_azimuth: bool,
     /// Velocity up to which echoes, as the map folds them, may have been removed; `None` if none are.
     pub removed_to_mps: Option<f64>,
 }
 
 /// Distance and difference of radial velocity of an object from a body.
-struct Apart {
+struct Separation {
     distance_m: f64,
     velocity_mps: f64,
 }
 
-impl Reach {
+impl MeasurementLimits {
     /// Squared distance by which a body's object is chosen, m². Objects on the outline count as within: a
     /// strong echo of a front, measured a hand's breadth before it, is preferred to a weak one of the load.
     /// An echo in the right fold is preferred to a ghost within the outline that has the same velocity only
     /// by folding.
-    fn cost_m2(&self, apart: &Apart) -> f64 {
-        let is_folded = apart.velocity_mps.abs() > self.velocity_gate_mps;
+    fn cost_m2(&self, separation: &Separation) -> f64 {
+        let is_folded = separation.velocity_mps.abs() > self.velocity_gate_mps;
         let of_fold_m2 = if is_folded { OTHER_FOLD_M.powi(2) } else { 0.0 };
-        (apart.distance_m - ON_OUTLINE_M).max(0.0).powi(2) + of_fold_m2
+        (separation.distance_m - ON_OUTLINE_M).max(0.0).powi(2) + of_fold_m2
     }
 
-    /// The reach of a scene's radar with its settings.
+    /// The limits of a scene's radar with its settings.
     pub fn of(header: &SceneHeader) -> Self {
         let (radar, removes) = (&header.radar, header.dsp.static_echoes == StaticEchoes::Remove);
         // Half a Doppler cell, and as much again for the velocity error of a weak echo.
@@ -83,7 +83,7 @@ impl Reach {
         Self { removed_to_mps, ..Self::of_radar(radar) }
     }
 
-    /// The reach of a radar among bodies whose velocities are unknown: they are paired by place alone, and
+    /// The limits of a radar among bodies whose velocities are unknown: they are paired by place alone, and
     /// none counts as removed.
     pub(crate) fn by_place(radar: &Radar) -> Self {
         Self { velocity_gate_mps: f64::INFINITY, ..Self::of_radar(radar) }
@@ -96,36 +96,36 @@ impl Reach {
             range_max_m: radar.waveform.range_max_m(),
             velocity_span_mps: 2.0 * radar.velocity_max_mps(),
             velocity_gate_mps: velocity_gate_mps(radar),
-            tells_azimuth: tells_azimuth(radar),
+            resolves_azimuth: resolves_azimuth(radar),
         }
     }
 
-    fn apart(&self, truth: &Truth, object: &Object) -> Apart {
-        Apart {
+    fn separation(&self, truth: &Truth, object: &Object) -> Separation {
+        Separation {
             distance_m: self.distance_m(truth, object).abs(),
             velocity_mps: object.radial_velocity_mps - self.radial_velocity_mps(truth, object),
         }
     }
 
     /// Squared distance from the outline to an object that moves as the body does; infinite for others.
-    fn square_m2(&self, apart: &Apart) -> f64 {
-        let moves_alike = self.folded_mps(apart.velocity_mps).abs() <= self.velocity_gate_mps;
-        if moves_alike { apart.distance_m.powi(2) } else { f64::INFINITY }
+    fn square_m2(&self, separation: &Separation) -> f64 {
+        let moves_alike = self.folded_mps(separation.velocity_mps).abs() <= self.velocity_gate_mps;
+        if moves_alike { separation.distance_m.powi(2) } else { f64::INFINITY }
     }
 
     /// Radial velocity of a body seen at the object's place, or, if that is unknown, at its own.
     fn radial_velocity_mps(&self, truth: &Truth, object: &Object) -> f64 {
         let sight = (DVec3::from(object.position_m) - self.position_m).normalize_or_zero();
-        if self.tells_azimuth { truth.velocity_mps.dot(sight) } else { truth.radial_velocity_mps }
+        if self.resolves_azimuth { truth.velocity_mps.dot(sight) } else { truth.radial_velocity_mps }
     }
 
     /// Distance of an object from a body's outline, or, without azimuths, of their ranges.
     fn distance_m(&self, truth: &Truth, object: &Object) -> f64 {
         let radar_m = self.position_m.truncate();
-        if self.tells_azimuth {
-            return truth.outline.distance_m(place(object));
+        if self.resolves_azimuth {
+            return truth.outline.distance_m(ground_position(object));
         }
-        let range_m = place(object).distance(radar_m);
+        let range_m = ground_position(object).distance(radar_m);
         let [near_m, far_m] = truth.outline.ranges_m(radar_m);
         range_m.clamp(near_m, far_m) - range_m
     }
@@ -152,13 +152,13 @@ pub struct Pairing {
     /// Index of each truth's object, in the order of the truths.
     pub object_of: Vec<Option<usize>>,
     /// Truths that should be found, in order: rows of `squares_m2`.
-    pub shown: Vec<usize>,
+    pub expected: Vec<usize>,
     /// Truths that should be found if their echoes had not been removed as echoes at rest.
     pub removed: Vec<usize>,
     /// Objects marked as at rest that belong to nobody.
-    pub standing: Vec<usize>,
-    /// Squared distances, `[truth, object]`, from the outlines of `shown` to the objects that are not
-    /// standing; infinite if they do not move alike.
+    pub stationary: Vec<usize>,
+    /// Squared distances, `[truth, object]`, from the outlines of `expected` to the objects that are not
+    /// stationary; infinite if they do not move alike.
     pub squares_m2: Array2<f64>,
     /// GOSPA of `squares_m2`, with the objects' indices in the frame.
     pub gospa: Gospa,
@@ -167,27 +167,33 @@ pub struct Pairing {
 impl Pairing {
     /// Pairs truths with objects; only truths that should be found get one: no clutter, nothing hidden or
     /// beyond the maximum unambiguous range.
-    pub fn of(truths: &[Truth], objects: &[Object], reach: &Reach) -> Self {
-        let asked: Vec<usize> =
-            (0..truths.len()).filter(|t| truths[*t].is_to_be_found(reach.range_max_m)).collect();
-        let apart = Array2::from_shape_fn((asked.len(), objects.len()), |(row, o)| {
-            reach.apart(&truths[asked[row]], &objects[o])
+    pub fn of(truths: &[Truth], objects: &[Object], limits: &MeasurementLimits) -> Self {
+        let detectable: Vec<usize> =
+            (0..truths.len()).filter(|t| truths[*t].is_detectable(limits.range_max_m)).collect();
+        let separations = Array2::from_shape_fn((detectable.len(), objects.len()), |(row, o)| {
+            limits.separation(&truths[detectable[row]], &objects[o])
         });
-        let squares_m2 = apart.map(|apart| reach.square_m2(apart));
-        let all = gospa_by_costs(squares_m2.view(), apart.map(|apart| reach.cost_m2(apart)).view(), GATE_M);
+        let squares_m2 = separations.map(|separation| limits.square_m2(separation));
+        let all = gospa_by_costs(
+            squares_m2.view(),
+            separations.map(|separation| limits.cost_m2(separation)).view(),
+            GATE_M,
+        );
         let mut object_of = vec![None; truths.len()];
-        asked.iter().zip(&all.chosen).for_each(|(truth, object)| object_of[*truth] = *object);
-        let is_removed = |row: &usize| all.chosen[*row].is_none() && reach.removes(&truths[asked[*row]]);
-        let (gone, kept): (Vec<usize>, Vec<usize>) = (0..asked.len()).partition(is_removed);
-        let is_standing = |o: &usize| objects[*o].stationary == Some(true) && !all.chosen.contains(&Some(*o));
-        let (standing, moving): (Vec<usize>, Vec<usize>) = (0..objects.len()).partition(is_standing);
+        detectable.iter().zip(&all.chosen).for_each(|(truth, object)| object_of[*truth] = *object);
+        let is_removed =
+            |row: &usize| all.chosen[*row].is_none() && limits.removes(&truths[detectable[*row]]);
+        let (gone, kept): (Vec<usize>, Vec<usize>) = (0..detectable.len()).partition(is_removed);
+        let is_stationary =
+            |o: &usize| objects[*o].stationary == Some(true) && !all.chosen.contains(&Some(*o));
+        let (stationary, moving): (Vec<usize>, Vec<usize>) = (0..objects.len()).partition(is_stationary);
         Self {
             object_of,
             squares_m2: squares_m2.select(Axis(0), &kept).select(Axis(1), &moving),
-            gospa: all.without(&gone, standing.len()),
-            shown: kept.into_iter().map(|row| asked[row]).collect(),
-            removed: gone.into_iter().map(|row| asked[row]).collect(),
-            standing,
+            gospa: all.without(&gone, stationary.len()),
+            expected: kept.into_iter().map(|row| detectable[row]).collect(),
+            removed: gone.into_iter().map(|row| detectable[row]).collect(),
+            stationary,
         }
     }
 
@@ -196,15 +202,15 @@ impl Pairing {
         self.object_of.iter().position(|own| *own == Some(object))
     }
 
-    /// Whether a track has objects in this frame, and only standing ones.
-    pub fn is_standing(&self, track: &Track) -> bool {
+    /// Whether a track has objects in this frame, and only stationary ones.
+    pub fn is_stationary(&self, track: &Track) -> bool {
         !track.objects.is_empty()
-            && track.objects.iter().all(|object| self.standing.contains(&(*object as usize)))
+            && track.objects.iter().all(|object| self.stationary.contains(&(*object as usize)))
     }
 }
 
-/// Place of an object seen from above.
-pub fn place(object: &Object) -> DVec2 {
+/// Position of an object seen from above.
+pub fn ground_position(object: &Object) -> DVec2 {
     DVec2::new(object.position_m[0], object.position_m[1])
 }
 
@@ -237,20 +243,20 @@ mod tests {
             lane: None,
             nearest_range_m: None,
             echo: None,
-            sends_back: true,
+            returns_echo: true,
         }
     }
 
     fn objects_of(truths: &[Truth], objects: &[Object]) -> Vec<Option<usize>> {
-        Pairing::of(truths, objects, &REACH).object_of
+        Pairing::of(truths, objects, &LIMITS).object_of
     }
 
-    const REACH: Reach = Reach {
+    const LIMITS: MeasurementLimits = MeasurementLimits {
         position_m: DVec3::ZERO,
         range_max_m: 100.0,
         velocity_span_mps: 20.0,
         velocity_gate_mps: VELOCITY_GATE_MPS,
-        tells_azimuth: true,
+        resolves_azimuth: true,
         removed_to_mps: None,
     };
 
@@ -258,15 +264,15 @@ mod tests {
     fn an_array_that_tells_no_azimuth_finds_a_body_by_its_range() {
         // Of the body, 8 m beside the boresight, ranges are 40.6 to 44.9 m.
         let truths = [body(4.0, [8.0, 42.0])];
-        let by_range = Reach { tells_azimuth: false, ..REACH };
-        let paired = |range_m, reach: &Reach| {
-            Pairing::of(&truths, &[object_at([0.0, range_m])], reach).object_of == [Some(0)]
+        let by_range = MeasurementLimits { resolves_azimuth: false, ..LIMITS };
+        let paired = |range_m, limits: &MeasurementLimits| {
+            Pairing::of(&truths, &[object_at([0.0, range_m])], limits).object_of == [Some(0)]
         };
         assert_eq!(
             [37.0, 42.0, 47.0, 48.5].map(|range_m| paired(range_m, &by_range)),
             [false, true, true, false]
         );
-        assert!(!paired(42.0, &REACH), "8 m beside it, where azimuths are told");
+        assert!(!paired(42.0, &LIMITS), "8 m beside it, where azimuths are told");
     }
 
     #[test]
@@ -277,9 +283,9 @@ mod tests {
             told(Some(true), object_at([12.0, 30.0])),
             told(Some(false), object_at([12.0, 50.0])),
         ];
-        let pairing = Pairing::of(&[body(4.0, [2.0, 42.0])], &objects, &REACH);
+        let pairing = Pairing::of(&[body(4.0, [2.0, 42.0])], &objects, &LIMITS);
         assert_eq!(
-            (&pairing.object_of, &pairing.standing),
+            (&pairing.object_of, &pairing.stationary),
             (&vec![Some(0)], &vec![1]),
             "a vehicle that waits is found"
         );
@@ -288,9 +294,9 @@ mod tests {
             (0, 1, (1, 2))
         );
         let unmarked = objects.map(|object| told(None, object));
-        let pairing = Pairing::of(&[body(4.0, [2.0, 42.0])], &unmarked, &REACH);
+        let pairing = Pairing::of(&[body(4.0, [2.0, 42.0])], &unmarked, &LIMITS);
         assert_eq!(
-            (pairing.standing.len(), pairing.gospa.false_ones, pairing.squares_m2.dim()),
+            (pairing.stationary.len(), pairing.gospa.false_ones, pairing.squares_m2.dim()),
             (0, 2, (1, 3))
         );
     }
@@ -300,10 +306,10 @@ mod tests {
         let drives = |truth: Truth| Truth { radial_velocity_mps: -8.0, ..truth };
         let truths = [body(4.0, [2.0, 42.0]), drives(body(4.0, [5.75, 30.0])), body(4.0, [9.5, 20.0])];
         let object = object_at([9.5, 20.0]);
-        let removing = Reach { removed_to_mps: Some(0.25), ..REACH };
+        let removing = MeasurementLimits { removed_to_mps: Some(0.25), ..LIMITS };
         let pairing = Pairing::of(&truths, &[object], &removing);
         assert_eq!(
-            (&pairing.removed, &pairing.shown),
+            (&pairing.removed, &pairing.expected),
             (&vec![0], &vec![1, 2]),
             "what has an object is found"
         );
@@ -314,7 +320,7 @@ mod tests {
             [0],
             "a span away looks alike"
         );
-        assert!(Pairing::of(&truths, &[object], &REACH).removed.is_empty());
+        assert!(Pairing::of(&truths, &[object], &LIMITS).removed.is_empty());
     }
 
     #[test]
@@ -339,10 +345,11 @@ mod tests {
             [radar::aperture::row(1, 1.0), radar::aperture::row(4, 1.0)],
         );
         // One chirp tells no velocity; 0 is shown of every body.
-        let reach = |radar: &Radar| Reach { velocity_gate_mps: velocity_gate_mps(radar), ..REACH };
-        assert_eq!(Pairing::of(&truths, &[object], &reach(&radar)).object_of, [Some(0)]);
+        let limits =
+            |radar: &Radar| MeasurementLimits { velocity_gate_mps: velocity_gate_mps(radar), ..LIMITS };
+        assert_eq!(Pairing::of(&truths, &[object], &limits(&radar)).object_of, [Some(0)]);
         radar.waveform.chirps = 128;
-        assert_eq!(Pairing::of(&truths, &[object], &reach(&radar)).object_of, [None]);
+        assert_eq!(Pairing::of(&truths, &[object], &limits(&radar)).object_of, [None]);
     }
 
     #[test]
@@ -381,7 +388,7 @@ mod tests {
         let near = || body(4.0, [2.0, 40.0]);
         let none = [
             Truth { role: Role::Clutter, ..near() },
-            Truth { sends_back: false, ..near() },
+            Truth { returns_echo: false, ..near() },
             body(4.0, [2.0, 101.0]),
         ];
         let objects = [object_at([2.0, 40.0]), object_at([2.0, 101.0])];

@@ -103,7 +103,7 @@ struct Sums {
 }
 
 /// Confirmed and coasting tracks.
-pub fn believed(tracks: &TracksFrame) -> Vec<&Track> {
+pub fn confirmed_tracks(tracks: &TracksFrame) -> Vec<&Track> {
     tracks.tracks.iter().filter(|t| t.state != TrackState::Tentative).collect()
 }
 
@@ -111,42 +111,43 @@ pub fn believed(tracks: &TracksFrame) -> Vec<&Track> {
 pub fn bodies_of_tracks(truth: &FrameTruth, tracks: &[&Track]) -> Vec<Option<usize>> {
     let pairs = gospa(of_tracks(truth, tracks).view(), CUTOFF_M).chosen;
     let body_of =
-        |track: usize| pairs.iter().position(|t| *t == Some(track)).map(|row| truth.pairing.shown[row]);
+        |track: usize| pairs.iter().position(|t| *t == Some(track)).map(|row| truth.pairing.expected[row]);
     (0..tracks.len()).map(body_of).collect()
 }
 
 /// Squared distances between the middles of boxes and of bodies, `[body, track]`.
 fn of_tracks(truth: &FrameTruth, tracks: &[&Track]) -> Array2<f64> {
-    let bodies: Vec<DVec2> = shown(truth).map(|body| body.position_m.truncate()).collect();
+    let bodies: Vec<DVec2> = expected(truth).map(|body| body.position_m.truncate()).collect();
     let boxes: Vec<DVec2> = tracks.iter().map(|t| DVec2::from(t.footprint.centre_m)).collect();
     squares_m2(&bodies, &boxes)
 }
 
 /// Bodies that should be found.
-fn shown(truth: &FrameTruth) -> impl Iterator<Item = &Truth> {
-    truth.pairing.shown.iter().map(|index| &truth.truths[*index])
+fn expected(truth: &FrameTruth) -> impl Iterator<Item = &Truth> {
+    truth.pairing.expected.iter().map(|index| &truth.truths[*index])
 }
 
 impl Score {
     /// Adds one frame.
     pub fn add(&mut self, truth: &FrameTruth, objects: &[Object], tracks: &TracksFrame) {
-        let tracks = believed(tracks);
+        let tracks = confirmed_tracks(tracks);
         self.frames += 1;
-        let Pairing { squares_m2, gospa: of_objects, standing, removed, .. } = &truth.pairing;
+        let Pairing { squares_m2, gospa: of_objects, stationary, removed, .. } = &truth.pairing;
         self.objects.add(squares_m2.view(), of_objects, GATE_M);
-        self.objects.add_apart(standing.len(), removed.len());
-        let lanes = of_objects.chosen.iter().zip(shown(truth));
+        self.objects.add_excluded(stationary.len(), removed.len());
+        let lanes = of_objects.chosen.iter().zip(expected(truth));
         self.objects.add_lanes(lanes.filter_map(|(o, body)| Some((body.lane?, objects[(*o)?].lane))));
         let squares_m2 = of_tracks(truth, &tracks);
         let pairs = gospa(squares_m2.view(), CUTOFF_M);
-        let is_apart = |t: &usize| !pairs.chosen.contains(&Some(*t)) && truth.pairing.is_standing(tracks[*t]);
+        let is_apart =
+            |t: &usize| !pairs.chosen.contains(&Some(*t)) && truth.pairing.is_stationary(tracks[*t]);
         let (apart, kept): (Vec<usize>, Vec<usize>) = (0..tracks.len()).partition(is_apart);
         let pairs = pairs.without(&[], apart.len());
         self.tracks.add(squares_m2.select(Axis(1), &kept).view(), &pairs, CUTOFF_M);
-        self.tracks.add_apart(apart.len(), removed.len());
-        let lanes = pairs.chosen.iter().zip(shown(truth));
+        self.tracks.add_excluded(apart.len(), removed.len());
+        let lanes = pairs.chosen.iter().zip(expected(truth));
         self.tracks.add_lanes(lanes.filter_map(|(t, body)| Some((body.lane?, tracks[(*t)?].lane))));
-        for (track, body) in pairs.chosen.iter().zip(&truth.pairing.shown) {
+        for (track, body) in pairs.chosen.iter().zip(&truth.pairing.expected) {
             if let Some(track) = track {
                 self.identities.pair(truth.number_of(*body), tracks[*track].id);
             }
@@ -182,7 +183,7 @@ impl Sums {
 
     /// Counts what the metrics leave out: estimates at rest that belong to nobody, and truths whose echoes
     /// were removed.
-    fn add_apart(&mut self, stationary: usize, removed: usize) {
+    fn add_excluded(&mut self, stationary: usize, removed: usize) {
         self.stationary += stationary;
         self.removed += removed;
     }

@@ -32,15 +32,15 @@ pub struct Truth {
     pub role: Role,
     /// Whether the array receives an echo of the body alone; echoes of tables are not traced, and are assumed
     /// if the array has gain towards the body's origin.
-    pub sends_back: bool,
+    pub returns_echo: bool,
 }
 
 impl Truth {
     /// Whether the radar should find it: a target that returns any echo from within the maximum unambiguous
     /// range.
-    pub fn is_to_be_found(&self, range_max_m: f64) -> bool {
+    pub fn is_detectable(&self, range_max_m: f64) -> bool {
         self.role == Role::Target
-            && self.sends_back
+            && self.returns_echo
             && self.echo.map_or(self.range_m, |e| e.range_m) <= range_max_m
     }
 }
@@ -77,12 +77,12 @@ fn truth(header: &SceneHeader, index: usize, pose: &Pose, paths: Option<&PathsFr
         lane: header.dsp.road.at(pose.position_m),
         nearest_range_m: paths.and_then(|p| p.nearest_range_m.get(index).copied().flatten()),
         echo,
-        sends_back: paths.map_or_else(|| is_seen(&header.radar, away), |_| echo.is_some()),
+        returns_echo: paths.map_or_else(|| is_in_field_of_view(&header.radar, away), |_| echo.is_some()),
     }
 }
 
 /// Whether the elements have any gain in the direction of an offset.
-pub(crate) fn is_seen(radar: &Radar, away_m: DVec3) -> bool {
+pub(crate) fn is_in_field_of_view(radar: &Radar, away_m: DVec3) -> bool {
     pattern_amplitude(radar, &axes(radar), away_m.normalize_or_zero()) != 0.0
 }
 
@@ -100,7 +100,7 @@ fn outline(header: &SceneHeader, index: usize, pose: &Pose) -> GroundOutline {
 
 fn echo(header: &SceneHeader, target: usize, paths: &[Path]) -> Option<MeanEcho> {
     let (mut weight, mut range, mut velocity) = (0.0, 0.0, 0.0);
-    for path in paths.iter().filter(|p| is_wholly_on(target, p) && is_heard(&header.radar, p)) {
+    for path in paths.iter().filter(|p| is_wholly_on(target, p) && is_received(&header.radar, p)) {
         let (power, echo) = received(&header.radar, path);
         weight += power;
         range += power * echo.range_m;
@@ -115,8 +115,8 @@ fn is_wholly_on(target: usize, path: &Path) -> bool {
 }
 
 /// Whether the elements have any gain at both ends of a path.
-fn is_heard(radar: &Radar, path: &Path) -> bool {
-    legs(radar, path).iter().all(|leg| is_seen(radar, leg.direction))
+fn is_received(radar: &Radar, path: &Path) -> bool {
+    legs(radar, path).iter().all(|leg| is_in_field_of_view(radar, leg.direction))
 }
 
 /// Power of a path up to a common factor, |a|²/(L₁L₂)² times both ends' gains and its mean share over the
@@ -160,9 +160,12 @@ mod tests {
     fn a_path_from_behind_a_cosine_pattern_is_not_heard() {
         let mut radar = paper::radar([0.0; 3], paper::waveform(64, 16), Preset::OneByFour.elements());
         let from = |y_m: f64| path_to([1.0, y_m, 0.0]);
-        assert!(is_heard(&radar, &from(-15.0)), "an isotropic element hears all around");
+        assert!(is_received(&radar, &from(-15.0)), "an isotropic element hears all around");
         radar.array.pattern = Pattern::Cosine { exponent: 1.0 };
-        assert_eq!([30.0, -15.0].map(|y_m| is_heard(&radar, &from(y_m))), [true, false]);
-        assert_eq!([30.0, -15.0].map(|y_m| is_seen(&radar, DVec3::new(1.0, y_m, 0.0))), [true, false]);
+        assert_eq!([30.0, -15.0].map(|y_m| is_received(&radar, &from(y_m))), [true, false]);
+        assert_eq!(
+            [30.0, -15.0].map(|y_m| is_in_field_of_view(&radar, DVec3::new(1.0, y_m, 0.0))),
+            [true, false]
+        );
     }
 }

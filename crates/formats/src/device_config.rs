@@ -11,11 +11,11 @@ mod lua_calls; // calls of a script
 mod studio_log; // logs and scripts of mmWave Studio
 mod chirp_program; // transmitters of each chirp
 mod scene_tables; // keys of a scene
-mod beside_scene; // a scene that specifies some of them itself
+mod scene_completion; // a scene that specifies some of them itself
 
-pub use beside_scene::{Configured, files_with, scene_with};
 pub use chirp_program::DeviceSettings;
-pub use scene_tables::{NoScene, scene_text};
+pub use scene_completion::{ConfigFile, files_with, scene_with};
+pub use scene_tables::{SceneTextError, scene_text};
 
 use crate::devices::Board;
 use artifact::bounded;

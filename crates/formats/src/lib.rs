@@ -8,12 +8,12 @@
 //! Read the rooms below in their order; each uses only those before it.
 
 pub mod devices; // boards and their sample orders
-pub mod plain_name; // file names from names in artifacts
+pub mod safe_file_name; // file names from names in artifacts
 pub mod sidecar; // axes and units beside a file
 mod sub_frames; // values that differ between sub-frames
 pub mod npy_stream; // NumPy arrays, written value by value
 pub mod mat_file; // arrays of MATLAB
-pub mod heights; // sources of points' heights
+pub mod height_source; // sources of points' heights
 pub mod levelled_axes; // axes of a radar, levelled
 mod azimuth_row; // the row of an array that tensors resolve
 pub mod device_config; // configurations of boards

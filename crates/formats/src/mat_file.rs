@@ -5,13 +5,13 @@
 //! array is an element of elements: class and flags, sides, name, real parts, imaginary parts, column-major.
 //! An element of type 15 is another one compressed by zlib.
 
-mod written;
+mod write;
 mod mat_error;
 mod read;
 
 pub(crate) use mat_error::MatError;
 pub(crate) use read::complex_values;
-pub(crate) use written::Array;
+pub(crate) use write::ComplexArray;
 
 /// Bytes of the head.
 const HEAD_BYTES: usize = 128;

@@ -57,7 +57,7 @@ impl NpyStream<'_> {
         shape: &[usize],
         content: impl FnOnce(&mut NpyStream<'_>) -> std::io::Result<()>,
     ) -> Result<(), Failure> {
-        files::write_lasting(file, |sink| {
+        files::write_durably(file, |sink| {
             sink.write_all(&header::<T>(shape))?;
             content(&mut NpyStream { sink })
         })

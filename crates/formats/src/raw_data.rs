@@ -26,7 +26,7 @@ pub const LIMIT_BYTES: u64 = 4 << 30;
 
 /// The shape of one frame of a recording.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Recording {
+pub(crate) struct RecordingShape {
     /// Number of chirps from one of a channel to its next.
     turns: usize,
     pub(crate) receivers: usize,
@@ -34,7 +34,7 @@ pub(crate) struct Recording {
     pub(crate) samples: usize,
 }
 
-impl Recording {
+impl RecordingShape {
     /// Shape of a cube's frames; refused if no device can record it: transmitters that send at once but are
     /// separated.
     pub(crate) fn of(file: &Path, header: &CubeHeader) -> Result<Self, Failure> {
@@ -105,13 +105,13 @@ impl Recording {
     }
 
     /// Reorders `[slot][sample][receiver]` to `[slot][receiver][sample]`.
-    pub(crate) fn apart(&self, values: &[Complex32]) -> Vec<Complex32> {
+    pub(crate) fn deinterleaved(&self, values: &[Complex32]) -> Vec<Complex32> {
         transposed(values, self.samples, self.receivers)
     }
 
     /// Refuses a number of values that is not a whole number of frames; notes if nothing beside the file
     /// specifies the shape of a frame, because samples of another radar can make whole frames too.
-    pub(crate) fn check_frames(&self, file: &Path, values: usize, shape: Shape) -> Result<(), Failure> {
+    pub(crate) fn check_frames(&self, file: &Path, values: usize, shape: ShapeSource) -> Result<(), Failure> {
         let (name, frames) = (file.display(), values / self.values());
         let radars = format!(
             "{} chirps × {} receivers × {} samples, as the scene's radar has them",
@@ -123,7 +123,7 @@ impl Recording {
             let text = format!("{name}: {values} samples are no whole number of frames of {radars}");
             return Err(Failure::Refused(text));
         }
-        if shape == Shape::Assumed {
+        if shape == ShapeSource::Assumed {
             let assumed = if frames == 1 { "1 frame is".to_owned() } else { format!("{frames} frames are") };
             progress::note(format!(
                 "note: {name}: nothing beside it tells the shape of a frame: {assumed} assumed of {radars}"
@@ -135,17 +135,17 @@ impl Recording {
 
 /// Source of the shape of a recording's frames.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Shape {
+pub(crate) enum ShapeSource {
     /// A description beside it, compared with the scene's radar.
-    Told,
+    Described,
     /// No description: the scene's radar is assumed to be the recording one.
     Assumed,
 }
 
-impl Shape {
+impl ShapeSource {
     /// Described, if all of these values are in the description.
     pub(crate) fn of(told: &[&Value]) -> Self {
-        if told.iter().all(|value| value.is_number()) { Self::Told } else { Self::Assumed }
+        if told.iter().all(|value| value.is_number()) { Self::Described } else { Self::Assumed }
     }
 }
 
@@ -158,7 +158,7 @@ fn transposed(values: &[Complex32], rows: usize, columns: usize) -> Vec<Complex3
 }
 
 /// Frames from a reader of raw data, with the meaning of their steps.
-pub struct Imported {
+pub struct ImportedFrames {
     /// Samples of each frame, in the order of a cube.
     pub frames: Vec<Vec<Complex32>>,
     /// Step of integer samples, with its source.
@@ -171,11 +171,11 @@ pub enum IntegerStep {
     /// Samples are floats in √W.
     Floats,
     /// √W, given by the command.
-    Asked(f32),
+    Given(f32),
     /// √W, given by that file.
-    Told(f32, PathBuf),
+    Described(f32, PathBuf),
     /// Steps of the converter of the samples, given by that file, which need not be the file's own steps.
-    Counted {
+    ConverterSteps {
         /// The converter's steps per step of the file.
         step: f32,
         /// Full scale of the converter, in its steps.
@@ -192,21 +192,21 @@ pub enum IntegerStep {
 impl IntegerStep {
     /// Chooses the command's value before the file's.
     fn of(asked: Option<f32>, told: impl FnOnce() -> Option<Self>) -> Self {
-        asked.map_or_else(|| told().unwrap_or(Self::Unknown), Self::Asked)
+        asked.map_or_else(|| told().unwrap_or(Self::Unknown), Self::Given)
     }
 
     /// The file with the value, if any.
     pub fn place(&self) -> Option<&Path> {
         match self {
-            Self::Told(_, place) | Self::Counted { place, .. } => Some(place),
-            Self::Floats | Self::Asked(_) | Self::Unscaled | Self::Unknown => None,
+            Self::Described(_, place) | Self::ConverterSteps { place, .. } => Some(place),
+            Self::Floats | Self::Given(_) | Self::Unscaled | Self::Unknown => None,
         }
     }
 
     /// Factor of integer samples: √W per step, or steps of the converter; 1 if unknown.
     pub(crate) fn factor(&self) -> f32 {
         match self {
-            Self::Asked(step) | Self::Told(step, _) | Self::Counted { step, .. } => *step,
+            Self::Given(step) | Self::Described(step, _) | Self::ConverterSteps { step, .. } => *step,
             Self::Floats | Self::Unscaled | Self::Unknown => 1.0,
         }
     }
@@ -218,7 +218,7 @@ mod tests {
 
     #[test]
     fn slots_of_two_transmitters_and_back_are_the_cube() {
-        let recording = Recording { turns: 2, receivers: 3, chirps: 2, samples: 4 };
+        let recording = RecordingShape { turns: 2, receivers: 3, chirps: 2, samples: 4 };
         let cube: Vec<Complex32> = (0..48).map(|i| Complex32::new(i as f32, -(i as f32))).collect();
         let slots = recording.by_slot(&cube);
         // Slot 1 is the first chirp of the second transmitter: channel 3.
@@ -226,6 +226,6 @@ mod tests {
         assert_eq!(recording.cube_of_slots(&slots), cube);
         let interleaved = recording.interleaved(&slots);
         assert_eq!(interleaved[1], slots[4]);
-        assert_eq!(recording.apart(&interleaved), slots);
+        assert_eq!(recording.deinterleaved(&interleaved), slots);
     }
 }

@@ -41,32 +41,32 @@ pub fn write_of_table(table: &Path, described: &Value) -> Result<(), Failure> {
 /// Refuses, before the work, to write a file or its sidecar if another file would be lost.
 pub(crate) fn claim(file: &Path) -> Result<(), Failure> {
     files::claim(&[file.to_owned(), beside(file)])?;
-    keep_foreign(&beside(file), file)
+    refuse_foreign(&beside(file), file)
 }
 
 /// Claims a table and its description, as `claim` does for an exported file and its sidecar.
 pub fn claim_table(table: &Path) -> Result<(), Failure> {
     files::claim(&[table.to_owned(), of_table(table)])?;
-    keep_foreign(&of_table(table), table)
+    refuse_foreign(&of_table(table), table)
 }
 
 /// Removes the sidecar of a file immediately before the file is replaced: if the command ends between the
 /// two, the old sidecar must not describe the new file.
-pub(crate) fn outdate(file: &Path) -> std::io::Result<()> {
-    take_away(&beside(file), file)
+pub(crate) fn remove_outdated(file: &Path) -> std::io::Result<()> {
+    remove_description(&beside(file), file)
 }
 
-/// Removes the description of a table that is replaced next, as `outdate` does.
+/// Removes the description of a table that is replaced next, as `remove_outdated` does.
 ///
 /// # Errors
 /// The description belongs to another file, or cannot be removed.
-pub fn outdate_table(table: &Path) -> std::io::Result<()> {
-    take_away(&of_table(table), table)
+pub fn remove_outdated_table(table: &Path) -> std::io::Result<()> {
+    remove_description(&of_table(table), table)
 }
 
-fn take_away(place: &Path, file: &Path) -> std::io::Result<()> {
-    keep_foreign(place, file).map_err(std::io::Error::other)?;
-    files::take_away(place, json!({ OF: name(file) }).to_string().as_bytes())
+fn remove_description(place: &Path, file: &Path) -> std::io::Result<()> {
+    refuse_foreign(place, file).map_err(std::io::Error::other)?;
+    files::remove_description(place, json!({ OF: name(file) }).to_string().as_bytes())
 }
 
 /// Content of a sidecar; `None` if there is no readable one.
@@ -88,7 +88,7 @@ const LIMIT_BYTES: u64 = 256 << 20;
 const OF: &str = "of";
 
 fn put(place: &Path, file: &Path, told: &Value) -> Result<(), Failure> {
-    keep_foreign(place, file)?;
+    refuse_foreign(place, file)?;
     let text = serde_json::to_string_pretty(told).map_err(Failure::refused)?;
     files::write_file(place, text.as_bytes())
 }
@@ -99,9 +99,9 @@ fn name(file: &Path) -> String {
 
 /// Refuses a `place` that holds a file other than a sidecar of `file`: the requested file is replaced, but
 /// files beside it only if they are its own.
-fn keep_foreign(place: &Path, file: &Path) -> Result<(), Failure> {
+fn refuse_foreign(place: &Path, file: &Path) -> Result<(), Failure> {
     let rule = format!("does not belong to {}, beside which it would be written", name(file));
-    files::keep_unless(place, &rule, || {
+    files::refuse_unless(place, &rule, || {
         let told = text_of(|| std::fs::File::open(place), place);
         told.is_some_and(|told| match told.get(OF).and_then(Value::as_str) {
             Some(of) => of == name(file),

@@ -19,16 +19,18 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a helper of tests fails the test")]
 
-mod noise; // deterministic randomness, and numbers at which readers stumble
+mod rng; // deterministic randomness, and numbers at which readers stumble
 mod tokens; // texts, changed by their words and lines
 mod values; // JSON values, changed by their structure
-mod words; // numbers within bytes
-mod watch; // over time and memory
+mod binary_words; // numbers within bytes
+mod watchdog; // over time and memory
 mod log; // of what was tried
 mod trial; // the loop over readers
 
-pub use noise::Noise;
-pub use tokens::{changed as changed_text, with_signs};
+pub use binary_words::mutate_word32;
+pub use rng::FuzzRng;
+pub use tokens::{mutate as mutate_text, with_toml_punctuation};
 pub use trial::{Reader, fuzz};
-pub use values::{change as change_json, change_like as change_json_like, put_strange_floats};
-pub use words::change_numbers;
+pub use values::{
+    insert_nonfinite_floats, mutate as mutate_json, mutate_keeping_types as mutate_json_keeping_types,
+};

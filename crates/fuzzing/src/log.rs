@@ -28,7 +28,7 @@ impl Tally {
     }
 
     /// Sentence for a person.
-    pub(crate) fn told(&self, reader: &str) -> String {
+    pub(crate) fn summary(&self, reader: &str) -> String {
         let Self { cases, read, peak_mib, .. } = self;
         let (refused, minutes) = (cases - read, self.spent.as_secs_f64() / 60.0);
         format!(
@@ -38,7 +38,7 @@ impl Tally {
     }
 
     /// A line of the log: reader, seed, cases, read, refused, processor minutes, most memory in MiB.
-    pub(crate) fn line(&self, reader: &str, seed: impl Display) -> String {
+    pub(crate) fn csv_line(&self, reader: &str, seed: impl Display) -> String {
         let Self { cases, read, peak_mib, .. } = self;
         let (refused, minutes) = (cases - read, self.spent.as_secs_f64() / 60.0);
         format!("{reader},{seed},{cases},{read},{refused},{minutes:.4},{peak_mib}")
@@ -59,7 +59,7 @@ mod tests {
     fn lines_of_parts_add_up_to_the_whole() {
         let part = Tally { cases: 7, read: 2, spent: Duration::from_secs(30), peak_mib: 5 };
         let whole = Tally { cases: 10, read: 4, spent: Duration::from_secs(90), peak_mib: 9 };
-        assert_eq!(whole.since(&part).line("fcd", 3), "fcd,3,3,2,1,1.0000,9");
-        assert_eq!(whole.told("fcd"), "fcd: 10 cases, 4 read, 6 refused, 1.5 minutes, at most 9 MiB");
+        assert_eq!(whole.since(&part).csv_line("fcd", 3), "fcd,3,3,2,1,1.0000,9");
+        assert_eq!(whole.summary("fcd"), "fcd: 10 cases, 4 read, 6 refused, 1.5 minutes, at most 9 MiB");
     }
 }

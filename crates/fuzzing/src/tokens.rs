@@ -1,6 +1,6 @@
 //! Texts changed by their words: what stands between blanks and signs is replaced, doubled, moved, nested.
 
-use crate::noise::Noise;
+use crate::rng::FuzzRng;
 
 /// A text as its words, signs and blanks.
 struct Tokens(Vec<Vec<u8>>);
@@ -19,28 +19,28 @@ impl Tokens {
         self.0.concat()
     }
 
-    fn place(&self, noise: &mut Noise) -> usize {
-        noise.below(self.0.len())
+    fn any_index(&self, rng: &mut FuzzRng) -> usize {
+        rng.below(self.0.len())
     }
 
     /// A place of something that says something, if a few tries find one.
-    fn word(&self, noise: &mut Noise) -> usize {
+    fn word_index(&self, rng: &mut FuzzRng) -> usize {
         let says = |i: &usize| {
             self.0.get(*i).is_some_and(|token| token[0].is_ascii_alphanumeric() || token[0] == b'-')
         };
-        let tries: Vec<usize> = (0..8).map(|_| self.place(noise)).collect();
+        let tries: Vec<usize> = (0..8).map(|_| self.any_index(rng)).collect();
         tries.iter().copied().find(says).unwrap_or(tries[0])
     }
 
-    fn change(&mut self, noise: &mut Noise, words: &[&str]) {
-        let (at, word) = (self.place(noise), self.word(noise));
-        match noise.below(9) {
-            0 | 1 => self.0[word] = noise.number().into_bytes(),
-            2 => self.0[word] = noise.pick(words).as_bytes().to_vec(),
+    fn mutate(&mut self, rng: &mut FuzzRng, words: &[&str]) {
+        let (at, word) = (self.any_index(rng), self.word_index(rng));
+        match rng.below(9) {
+            0 | 1 => self.0[word] = rng.number_text().into_bytes(),
+            2 => self.0[word] = rng.choose(words).as_bytes().to_vec(),
             3 => drop(self.0.remove(at)),
-            4 => self.0.insert(at, noise.pick(words).as_bytes().to_vec()),
-            5 => self.0[at] = self.0[at].repeat(noise.times()),
-            6 => self.0.insert(at, noise.stray_bytes().to_vec()),
+            4 => self.0.insert(at, rng.choose(words).as_bytes().to_vec()),
+            5 => self.0[at] = self.0[at].repeat(rng.repeat_count()),
+            6 => self.0.insert(at, rng.stray_bytes().to_vec()),
             7 => self.0.insert(at, self.0[word].clone()),
             _ => self.0.swap(at, word),
         }
@@ -48,29 +48,29 @@ impl Tokens {
 }
 
 /// What opens, closes and separates in TOML.
-const SIGNS: [&str; 12] = ["[", "]", "{", "}", "[[", "]]", "\"", "'''", "=", ",", "#", "\n"];
+const TOML_PUNCTUATION: [&str; 12] = ["[", "]", "{", "}", "[[", "]]", "\"", "'''", "=", ",", "#", "\n"];
 
 /// The signs of TOML, and behind them the words of a format.
-pub fn with_signs<'a>(words: &[&'a str]) -> Vec<&'a str> {
-    [&SIGNS, words].concat()
+pub fn with_toml_punctuation<'a>(words: &[&'a str]) -> Vec<&'a str> {
+    [&TOML_PUNCTUATION, words].concat()
 }
 
 /// A longer text is not changed again: one change repeats a part of it up to thousands of times.
-const LONGEST_CHANGED: usize = 1 << 16;
+const MAX_MUTATED_BYTES: usize = 1 << 16;
 
 /// One to four changes of words and lines; `words` are those of the format.
-pub fn changed(noise: &mut Noise, text: &[u8], words: &[&str]) -> Vec<u8> {
+pub fn mutate(rng: &mut FuzzRng, text: &[u8], words: &[&str]) -> Vec<u8> {
     let mut bytes = text.to_vec();
-    for _ in 0..=noise.below(4) {
-        if bytes.len() > LONGEST_CHANGED {
+    for _ in 0..=rng.below(4) {
+        if bytes.len() > MAX_MUTATED_BYTES {
             break;
         }
-        if noise.one_in(3) {
-            bytes = with_lines_changed(noise, &bytes);
+        if rng.one_in(3) {
+            bytes = mutate_lines(rng, &bytes);
         } else {
             let mut tokens = Tokens::of(&bytes);
             if !tokens.0.is_empty() {
-                tokens.change(noise, words);
+                tokens.mutate(rng, words);
             }
             bytes = tokens.bytes();
         }
@@ -78,20 +78,20 @@ pub fn changed(noise: &mut Noise, text: &[u8], words: &[&str]) -> Vec<u8> {
     bytes
 }
 
-fn with_lines_changed(noise: &mut Noise, text: &[u8]) -> Vec<u8> {
+fn mutate_lines(rng: &mut FuzzRng, text: &[u8]) -> Vec<u8> {
     let mut lines: Vec<&[u8]> = text.split_inclusive(|byte| *byte == b'\n').collect();
     if lines.is_empty() {
         return vec![];
     }
-    let (at, other) = (noise.below(lines.len()), noise.below(lines.len()));
-    match noise.below(6) {
+    let (at, other) = (rng.below(lines.len()), rng.below(lines.len()));
+    match rng.below(6) {
         0 => drop(lines.remove(at)),
         1 => lines.insert(at, lines[other]),
         2 => lines.swap(at, other),
         3 => lines.truncate(at),
         4 => lines.extend_from_within(at.min(other)..at.max(other)),
         _ => {
-            let many = std::iter::repeat_n(lines[other], noise.times());
+            let many = std::iter::repeat_n(lines[other], rng.repeat_count());
             lines.splice(at..at, many);
         }
     }

@@ -1,8 +1,8 @@
 //! The loop over readers: cases are made, read and counted.
 
 use crate::log::{self, Tally};
-use crate::noise::Noise;
-use crate::watch;
+use crate::rng::FuzzRng;
+use crate::watchdog;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -14,11 +14,11 @@ pub struct Reader {
     /// Cases of a plain test, so that all readers of a crate take seconds.
     cases: u64,
     /// Writes the files of a case into a folder.
-    write: fn(&mut Noise, &Path),
+    write: fn(&mut FuzzRng, &Path),
     /// Reads them; the sentence of a refusal, which names the file.
     read: fn(&Path) -> Result<(), String>,
     /// Fate of damage.
-    damage: Damage,
+    damage: DamagePolicy,
 }
 
 impl Reader {
@@ -26,93 +26,93 @@ impl Reader {
     pub const fn refusing(
         name: &'static str,
         cases: u64,
-        write: fn(&mut Noise, &Path),
+        write: fn(&mut FuzzRng, &Path),
         read: fn(&Path) -> Result<(), String>,
     ) -> Self {
-        Self { name, cases, write, read, damage: Damage::Refused }
+        Self { name, cases, write, read, damage: DamagePolicy::Refuse }
     }
 
     /// A reader that makes anew what is damaged.
-    pub const fn making_anew(
+    pub const fn regenerating(
         name: &'static str,
         cases: u64,
-        write: fn(&mut Noise, &Path),
+        write: fn(&mut FuzzRng, &Path),
         read: fn(&Path) -> Result<(), String>,
     ) -> Self {
-        Self { name, cases, write, read, damage: Damage::MadeAnew }
+        Self { name, cases, write, read, damage: DamagePolicy::Regenerate }
     }
 }
 
 /// Answer of a reader to a file that is not as it should be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Damage {
+enum DamagePolicy {
     /// Refusal, with a sentence.
-    Refused,
+    Refuse,
     /// Making anew of what the file was for.
-    MadeAnew,
+    Regenerate,
 }
 
 /// Tries every reader on as many cases as the environment asks for, or for as long; `prepare` readies the
 /// folder before each case. Ends with a panic where a case breaks a limit, or nothing was read or refused.
 pub fn fuzz(readers: &[Reader], prepare: fn(&Path)) {
-    try_all(readers, prepare, &Asked::of_environment());
+    try_all(readers, prepare, &FuzzOptions::from_environment());
 }
 
-fn try_all(readers: &[Reader], prepare: fn(&Path), asked: &Asked) {
+fn try_all(readers: &[Reader], prepare: fn(&Path), options: &FuzzOptions) {
     let folder = tempfile::Builder::new().prefix("wayside-fuzz-").tempdir().unwrap().keep();
-    watch::start(&folder);
+    watchdog::start(&folder);
     let mut trials: Vec<Trial> = readers
         .iter()
-        .filter(|reader| asked.only.as_ref().is_none_or(|name| reader.name == *name))
+        .filter(|reader| options.only.as_ref().is_none_or(|name| reader.name == *name))
         .map(|reader| Trial { reader, tally: Tally::default(), logged: Tally::default() })
         .collect();
-    assert!(!trials.is_empty(), "no reader is called {:?}", asked.only);
-    while let Some(next) = next_of(&trials, asked) {
-        trials[next].go_on(asked, prepare, &folder);
+    assert!(!trials.is_empty(), "no reader is called {:?}", options.only);
+    while let Some(next) = least_tried(&trials, options) {
+        trials[next].run_turn(options, prepare, &folder);
     }
-    watch::rest();
-    trials.iter_mut().for_each(|trial| trial.end(asked));
-    match asked.keeping {
-        Keeping::OfFailures => std::fs::remove_dir_all(folder).unwrap(),
-        Keeping::OfAny => println!("the files stay in {}", folder.display()),
+    watchdog::set_idle();
+    trials.iter_mut().for_each(|trial| trial.finish(options));
+    match options.keep_files {
+        KeepFiles::OnFailure => std::fs::remove_dir_all(folder).unwrap(),
+        KeepFiles::Always => println!("the files stay in {}", folder.display()),
     }
 }
 
 /// Trials that the environment asks for.
 #[derive(Default)]
-struct Asked {
+struct FuzzOptions {
     cases: Option<u64>,
     minutes: Option<f64>,
     seed: u64,
     first: u64,
-    keeping: Keeping,
+    keep_files: KeepFiles,
     only: Option<String>,
     log: Option<PathBuf>,
 }
 
 /// Whether the files of the last case stay.
 #[derive(Default, Clone, Copy, PartialEq, Eq)]
-enum Keeping {
+enum KeepFiles {
     #[default]
-    OfFailures,
-    OfAny,
+    OnFailure,
+    Always,
 }
 
-impl Asked {
-    fn of_environment() -> Self {
-        let one: Option<u64> = asked("WAYSIDE_FUZZ_CASE");
+impl FuzzOptions {
+    fn from_environment() -> Self {
+        let one: Option<u64> = variable("WAYSIDE_FUZZ_CASE");
         Self {
-            cases: one.map(|_| 1).or_else(|| asked("WAYSIDE_FUZZ_CASES")),
-            minutes: asked("WAYSIDE_FUZZ_MINUTES").filter(|_| one.is_none()),
-            seed: asked("WAYSIDE_FUZZ_SEED").unwrap_or(1),
-            first: one.or_else(|| asked("WAYSIDE_FUZZ_FIRST")).unwrap_or(0),
-            keeping: one.map_or(Keeping::OfFailures, |_| Keeping::OfAny),
-            only: asked("WAYSIDE_FUZZ_READER"),
-            log: asked("WAYSIDE_FUZZ_LOG"),
+            cases: one.map(|_| 1).or_else(|| variable("WAYSIDE_FUZZ_CASES")),
+            minutes: variable("WAYSIDE_FUZZ_MINUTES").filter(|_| one.is_none()),
+            seed: variable("WAYSIDE_FUZZ_SEED").unwrap_or(1),
+            first: one.or_else(|| variable("WAYSIDE_FUZZ_FIRST")).unwrap_or(0),
+            keep_files: one.map_or(KeepFiles::OnFailure, |_| KeepFiles::Always),
+            only: variable("WAYSIDE_FUZZ_READER"),
+            log: variable("WAYSIDE_FUZZ_LOG"),
         }
     }
 
-    fn is_enough(&self, trial: &Trial) -> bool {
+    fn is_done(&self, trial: &Trial) -> bool {
         match self.minutes {
             Some(minutes) => trial.tally.spent.as_secs_f64() >= 60.0 * minutes,
             None => trial.tally.cases >= self.cases_of(trial),
@@ -124,18 +124,18 @@ impl Asked {
     }
 }
 
-fn asked<T: std::str::FromStr>(name: &str) -> Option<T> {
+fn variable<T: std::str::FromStr>(name: &str) -> Option<T> {
     let text = std::env::var(name).ok()?;
     Some(text.parse().unwrap_or_else(|_| panic!("{name}={text} is not understood")))
 }
 
 /// The reader that was tried least, until all were enough.
-fn next_of(trials: &[Trial], asked: &Asked) -> Option<usize> {
-    let least = |i: &usize| match asked.minutes {
+fn least_tried(trials: &[Trial], options: &FuzzOptions) -> Option<usize> {
+    let least = |i: &usize| match options.minutes {
         Some(_) => trials[*i].tally.spent.as_millis() as u64,
         None => trials[*i].tally.cases,
     };
-    (0..trials.len()).filter(|i| !asked.is_enough(&trials[*i])).min_by_key(least)
+    (0..trials.len()).filter(|i| !options.is_done(&trials[*i])).min_by_key(least)
 }
 
 /// A reader with what came of its cases.
@@ -154,51 +154,51 @@ const LINE: Duration = Duration::from_secs(60);
 
 impl Trial<'_> {
     /// Some cases, then the next reader has its turn.
-    fn go_on(&mut self, asked: &Asked, prepare: fn(&Path), folder: &Path) {
-        watch::forget_peak();
-        let begin = watch::processor_time();
+    fn run_turn(&mut self, options: &FuzzOptions, prepare: fn(&Path), folder: &Path) {
+        watchdog::reset_peak();
+        let begin = watchdog::processor_time();
         for _ in 0..TURN_CASES {
-            self.one_case(asked, prepare, folder);
-            let spent = watch::processor_time().saturating_sub(begin);
-            let is_all = asked.minutes.is_none() && self.tally.cases >= asked.cases_of(self);
+            self.run_case(options, prepare, folder);
+            let spent = watchdog::processor_time().saturating_sub(begin);
+            let is_all = options.minutes.is_none() && self.tally.cases >= options.cases_of(self);
             if is_all || spent > TURN {
                 break;
             }
         }
-        self.tally.spent += watch::processor_time().saturating_sub(begin);
-        self.tally.peak_mib = self.tally.peak_mib.max(watch::peak_mib().unwrap_or(0));
+        self.tally.spent += watchdog::processor_time().saturating_sub(begin);
+        self.tally.peak_mib = self.tally.peak_mib.max(watchdog::peak_mib().unwrap_or(0));
         if self.tally.since(&self.logged).spent >= LINE {
-            self.write_line(asked);
+            self.log_line(options);
         }
     }
 
-    fn one_case(&mut self, asked: &Asked, prepare: fn(&Path), folder: &Path) {
-        let (seed, case) = (asked.seed, asked.first + self.tally.cases);
+    fn run_case(&mut self, options: &FuzzOptions, prepare: fn(&Path), folder: &Path) {
+        let (seed, case) = (options.seed, options.first + self.tally.cases);
         let about = format!("{}: seed {seed}, case {case}, in {}", self.reader.name, folder.display());
         prepare(folder);
-        watch::begin(&about);
-        let mut noise = Noise::of(seed, case);
-        let tried = catch_unwind(AssertUnwindSafe(|| try_case(self.reader, &mut noise, folder)));
+        watchdog::begin_case(&about);
+        let mut rng = FuzzRng::new(seed, case);
+        let tried = catch_unwind(AssertUnwindSafe(|| try_case(self.reader, &mut rng, folder)));
         let read = tried.unwrap_or_else(|_| panic!("{about}"));
-        watch::check_memory(&about);
+        watchdog::check_memory(&about);
         self.tally.cases += 1;
         self.tally.read += u64::from(read);
     }
 
-    fn write_line(&mut self, asked: &Asked) {
-        if let Some(log) = &asked.log {
-            log::append(log, &self.tally.since(&self.logged).line(self.reader.name, asked.seed));
+    fn log_line(&mut self, options: &FuzzOptions) {
+        if let Some(log) = &options.log {
+            log::append(log, &self.tally.since(&self.logged).csv_line(self.reader.name, options.seed));
         }
-        println!("{}", self.tally.told(self.reader.name));
+        println!("{}", self.tally.summary(self.reader.name));
         self.logged = self.tally;
     }
 
-    fn end(&mut self, asked: &Asked) {
+    fn finish(&mut self, options: &FuzzOptions) {
         if self.tally.cases > self.logged.cases {
-            self.write_line(asked);
+            self.log_line(options);
         }
         let Tally { cases, read, .. } = self.tally;
-        let least_refused = u64::from(self.reader.damage == Damage::Refused);
+        let least_refused = u64::from(self.reader.damage == DamagePolicy::Refuse);
         // A few cases that are asked for may be of one kind.
         let is_both = cases < 10 || (read > 0 && cases - read >= least_refused);
         assert!(is_both, "{}: some are read and some refused", self.reader.name);
@@ -206,8 +206,8 @@ impl Trial<'_> {
 }
 
 /// Makes a case and reads it; whether it was read.
-fn try_case(reader: &Reader, noise: &mut Noise, folder: &Path) -> bool {
-    (reader.write)(noise, folder);
+fn try_case(reader: &Reader, rng: &mut FuzzRng, folder: &Path) -> bool {
+    (reader.write)(rng, folder);
     let Err(sentence) = (reader.read)(folder) else { return true };
     assert!(!sentence.trim().is_empty(), "{}: refused without a word", reader.name);
     assert!(sentence.len() < 1 << 20, "{}: refused in {} bytes", reader.name, sentence.len());
@@ -221,9 +221,9 @@ mod tests {
     use super::*;
 
     fn try_numbers(read: fn(&Path) -> Result<(), String>) {
-        let write = |noise: &mut Noise, at: &Path| std::fs::write(at.join("f"), noise.number()).unwrap();
-        let asked = Asked { seed: 1, cases: Some(40), ..Asked::default() };
-        try_all(&[Reader::refusing("numbers", 1, write, read)], |_| {}, &asked);
+        let write = |rng: &mut FuzzRng, at: &Path| std::fs::write(at.join("f"), rng.number_text()).unwrap();
+        let options = FuzzOptions { seed: 1, cases: Some(40), ..FuzzOptions::default() };
+        try_all(&[Reader::refusing("numbers", 1, write, read)], |_| {}, &options);
     }
 
     fn is_negative(at: &Path) -> bool {

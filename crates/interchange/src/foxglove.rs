@@ -6,7 +6,7 @@ use crate::descriptors::{Definitions, MessageRow, described};
 use crate::measured::frame_names::WORLD;
 use crate::measured::packed_points::{FIELD_BYTES, FIELDS, Number, POINT_BYTES, packed};
 use crate::osi::common::Timestamp;
-use crate::trace::{ChannelOf, McapFile};
+use crate::trace::{ChannelDefinition, McapFile};
 use artifact::points::PointsFrame;
 use prost::Message;
 use std::collections::BTreeMap;
@@ -25,7 +25,7 @@ impl<W: Write> FoxgloveRecording<W> {
     /// The sink fails.
     pub fn create(sink: W) -> io::Result<Self> {
         let mut file = McapFile::begin(sink, "")?;
-        let channel = file.channel(&ChannelOf {
+        let channel = file.channel(&ChannelDefinition {
             topic: "/radar/points",
             schema: "foxglove.PointCloud",
             schema_encoding: "protobuf",

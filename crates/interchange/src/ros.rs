@@ -8,7 +8,7 @@ mod point_cloud;
 mod radar_scan;
 mod radar_tracks;
 
-use crate::trace::{ChannelOf, McapFile};
+use crate::trace::{ChannelDefinition, McapFile};
 use artifact::points::{PointsFrame, PointsHeader};
 use artifact::tracks::TracksFrame;
 use std::collections::BTreeMap;
@@ -68,7 +68,7 @@ impl<W: Write> RosRecording<W> {
         let channel = match self.channels.get(topic) {
             Some(channel) => *channel,
             None => {
-                let channel = self.file.channel(&ChannelOf {
+                let channel = self.file.channel(&ChannelDefinition {
                     topic,
                     schema,
                     schema_encoding: "ros2msg",

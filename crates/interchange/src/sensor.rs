@@ -18,14 +18,14 @@ use artifact::paths::{PathsFrame, PathsHeader};
 use artifact::points::{PointsFrame, PointsHeader};
 use artifact::tracks::{TracksFrame, TracksHeader};
 use mounting::{mounting, number};
-use objects::Births;
+use objects::FirstSeenTimes;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
 /// A trace of `osi3.SensorData`.
 pub struct SensorDataTrace<W: Write> {
     file: TraceWriter<W>,
-    births: Births,
+    first_seen: FirstSeenTimes,
 }
 
 impl<W: Write> SensorDataTrace<W> {
@@ -39,7 +39,7 @@ impl<W: Write> SensorDataTrace<W> {
             topic: "SensorData",
             descriptor: descriptors::sensor_data,
         };
-        Ok(Self { file: TraceWriter::begin(sink, container, &kind)?, births: Births::default() })
+        Ok(Self { file: TraceWriter::begin(sink, container, &kind)?, first_seen: FirstSeenTimes::default() })
     }
 
     /// Writes the points of a frame as radar detections.
@@ -69,7 +69,7 @@ impl<W: Write> SensorDataTrace<W> {
         let sensor = number(header.cube.as_ref().map(|cube| &cube.radar));
         let radar = header.cube.as_ref().map(|cube| cube.radar.in_frame(frame.index));
         let moving_object_header = Some(objects::header(radar.as_ref(), frame));
-        let moving_object = self.births.objects(sensor, frame, classes);
+        let moving_object = self.first_seen.objects(sensor, frame, classes);
         let data =
             SensorData { moving_object_header, moving_object, ..head(sensor, radar.as_ref(), frame.time_s) };
         self.file.write(frame.time_s, &data)

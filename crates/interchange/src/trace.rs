@@ -11,6 +11,6 @@ mod writer;
 
 pub use container::Container;
 pub use fault::{TraceError, TraceRule};
-pub(crate) use mcap_file::{ChannelOf, McapFile};
+pub(crate) use mcap_file::{ChannelDefinition, McapFile};
 pub(crate) use messages::Messages;
 pub(crate) use writer::{MessageKind, TraceWriter};

@@ -4,10 +4,10 @@
 //! other parts of a ground truth are skipped. The ground truth within a sensor's view is read as well; the
 //! kind of a message is recognized by its fields.
 
-mod walk;
+mod wire_fields;
 mod message_kind;
 
-pub use crate::osi::moving_object::{type_names, type_told_as};
+pub use crate::osi::moving_object::{canonical_type_name, type_names};
 pub use crate::trace::{TraceError, TraceRule};
 
 use crate::osi::common::{BaseMoving, Timestamp};
@@ -16,7 +16,7 @@ use crate::trace::Messages;
 use message_kind::MessageKind;
 use prost::Message;
 use std::path::Path;
-use walk::{Field, encoding};
+use wire_fields::{Field, encoding};
 
 /// Moving objects at one time.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -114,7 +114,7 @@ impl GroundTruthReader {
 }
 
 fn step(bytes: &[u8], message: u64) -> Result<TrafficStep, TraceRule> {
-    let mut told = Told::default();
+    let mut told = MessageObjects::default();
     let (owner, time) = match MessageKind::of(bytes) {
         Some(MessageKind::GroundTruth) => ("GroundTruth", told.take(bytes)?),
         Some(MessageKind::SensorView) => ("SensorView", told.take_view(bytes)?),
@@ -128,15 +128,15 @@ fn step(bytes: &[u8], message: u64) -> Result<TrafficStep, TraceRule> {
 
 /// Objects of a message so far.
 #[derive(Default)]
-struct Told {
+struct MessageObjects {
     objects: Vec<TrafficObject>,
 }
 
-impl Told {
+impl MessageObjects {
     /// Extracts the objects of a ground truth, and returns its time.
     fn take(&mut self, truth: &[u8]) -> Result<Option<Timestamp>, TraceRule> {
         let mut stamp = None;
-        for field in walk::fields(truth) {
+        for field in wire_fields::fields(truth) {
             match field? {
                 Field { number: TIMESTAMP, content: Some(content), .. } => {
                     stamp = Some(Timestamp::decode(content).map_err(encoding)?);
@@ -157,7 +157,7 @@ impl Told {
     /// own.
     fn take_view(&mut self, view: &[u8]) -> Result<Option<Timestamp>, TraceRule> {
         let (mut of_view, mut of_truth, mut is_there) = (None, None, false);
-        for field in walk::fields(view) {
+        for field in wire_fields::fields(view) {
             match field? {
                 Field { number: TIMESTAMP, content: Some(content), .. } => {
                     of_view = Some(Timestamp::decode(content).map_err(encoding)?);

@@ -5,11 +5,11 @@
 mod recipe;
 mod draws;
 mod layout;
-mod places;
+mod placement;
 mod staging;
-mod shots;
+mod computed_scene;
 mod observed_frame;
-mod maker;
+mod shard_version;
 mod shard;
 pub(crate) mod scene_line;
 pub(crate) mod lines;
@@ -92,7 +92,7 @@ fn make(recipe: &Recipe, shards: Vec<PlannedShard>, memory: Allowance) -> Result
     for shard in &shards {
         if !resumption::is_made(recipe, shard)? {
             shard::make(
-                &shard::ShardMaking { recipe, memory, tell: &|within| work.at(done + within, total) },
+                &shard::ShardSettings { recipe, memory, tell: &|within| work.at(done + within, total) },
                 shard,
             )?;
         }

@@ -1,12 +1,15 @@
 //! Evaluation of a model (`evaluate`): its accuracy on datasets, by frame and by track, with its spread over
 //! vehicles, as a page.
 
-use crate::training::interval_text::told_interval;
+use crate::training::interval_text::interval_text;
 use artifact::dataset::Sample;
 use artifact::settings::Class;
-use classifier::{Evaluation, Logits, Part, Sightings, log_softmax, of_tracks, parts};
+use classifier::{
+    ClassificationMetrics, Evaluation, Logits, Sightings, log_softmax, metrics_by_frame_and_track,
+    track_logits,
+};
 use pipeline::chain::class_rule::{ClassRule, Predicted};
-use pipeline::chain::loaded_model::{LoadedModel, of_classifier_about};
+use pipeline::chain::loaded_model::{LoadedModel, classifier_failure_about};
 use pipeline::host::dataset_folders::DatasetFolder;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
@@ -48,7 +51,7 @@ pub fn run(settings: &EvaluationSettings) -> Result<String, Failure> {
         let samples: Vec<Sample> = classifier::samples_of(shard).collect::<Result<_, _>>()?;
         logits.extend(answers(&model, &samples).map_err(|failure| failure.about(shard))?);
         let added = sightings.add(number, samples.into_iter().map(Ok));
-        added.map_err(of_classifier_about(shard))
+        added.map_err(classifier_failure_about(shard))
     })?;
     if sightings.all.is_empty() {
         let rule = "no sample that tells its class: there is nothing to be right about";
@@ -61,8 +64,9 @@ pub fn run(settings: &EvaluationSettings) -> Result<String, Failure> {
     let seen: Vec<_> = sightings.all.iter().collect();
     let (rule, correlation) = (model.rule(), f64::from(model.rule().frame_correlation));
     let of_frames: Vec<_> = seen.iter().map(|seen| seen.class).zip(logits.iter().copied()).collect();
-    let told = [of_frames, of_tracks(&seen, &logits, correlation)].map(|answers| told_by(rule, &answers));
-    let page = page(&parts(&seen, &logits, correlation), &told, rule);
+    let told =
+        [of_frames, track_logits(&seen, &logits, correlation)].map(|answers| predictions(rule, &answers));
+    let page = page(&metrics_by_frame_and_track(&seen, &logits, correlation), &told, rule);
     settings.out.as_ref().map_or(Ok(()), |out| files::write_file(out, page.as_bytes()))?;
     Ok(page)
 }
@@ -72,7 +76,7 @@ pub(super) fn sightings_of(folders: &[DatasetFolder]) -> Result<Sightings, Failu
     let mut sightings = Sightings::default();
     each_shard(folders, |number, shard| {
         let added = sightings.add(number, classifier::samples_of(shard));
-        added.map_err(of_classifier_about(shard))
+        added.map_err(classifier_failure_about(shard))
     })?;
     Ok(sightings)
 }
@@ -102,16 +106,16 @@ fn answers(model: &LoadedModel, samples: &[Sample]) -> Result<Vec<[f32; 4]>, Fai
 }
 
 /// True class of an answer, and the predicted class.
-type Told = (usize, Predicted);
+type Prediction = (usize, Predicted);
 
 /// Predicted classes by a rule, each with the true one.
-pub(super) fn told_by(rule: ClassRule, answers: &[(usize, Logits)]) -> Vec<Told> {
+pub(super) fn predictions(rule: ClassRule, answers: &[(usize, Logits)]) -> Vec<Prediction> {
     let probabilities = |logits: &Logits| log_softmax(logits.map(f64::from)).map(|log| log.exp() as f32);
-    answers.iter().map(|(class, logits)| (*class, rule.told(&probabilities(logits)))).collect()
+    answers.iter().map(|(class, logits)| (*class, rule.predict(&probabilities(logits)))).collect()
 }
 
 /// Text of the shares that are right, wrong and unknown, %.
-pub(super) fn shares(told: &[Told]) -> String {
+pub(super) fn shares(told: &[Prediction]) -> String {
     let (mut counts, share) = ([0.0; 3], 100.0 / told.len().max(1) as f64);
     for (class, predicted) in told {
         let kind = match predicted {
@@ -123,7 +127,11 @@ pub(super) fn shares(told: &[Told]) -> String {
     counts.map(|share| format!("{share:.0}")).join(" / ")
 }
 
-fn page([frames, tracks]: &[Part; 2], [of_frames, of_tracks]: &[Vec<Told>; 2], rule: ClassRule) -> String {
+fn page(
+    [frames, tracks]: &[ClassificationMetrics; 2],
+    [of_frames, of_tracks]: &[Vec<Prediction>; 2],
+    rule: ClassRule,
+) -> String {
     let columns = [
         "answers",
         "number",
@@ -142,19 +150,19 @@ fn page([frames, tracks]: &[Part; 2], [of_frames, of_tracks]: &[Vec<Told>; 2], r
         rule.least_probability
     );
     for (name, told) in [("By frame", of_frames), ("By track", of_tracks)] {
-        let _ = write!(page, "\n{name}, rows true, columns told:\n\n{}", told_confusion(told));
+        let _ = write!(page, "\n{name}, rows true, columns told:\n\n{}", prediction_confusion(told));
     }
     let _ = write!(page, "\nBy vehicle, by track, told or not:\n\n{}", vehicles(&tracks.evaluation));
     page
 }
 
-fn row(name: &str, part: &Part, told_classes: &[Told]) -> [String; 7] {
+fn row(name: &str, part: &ClassificationMetrics, told_classes: &[Prediction]) -> [String; 7] {
     let (told, evaluation) = (&part.by_vehicle, &part.evaluation);
     [
         name.to_owned(),
         told.answers.to_string(),
         format!("{:.1} %", 100.0 * told.mean_over_classes),
-        format!("{} over {}", told_interval(told.interval), told.vehicles),
+        format!("{} over {}", interval_text(told.interval), told.vehicles),
         format!("{:.3}", evaluation.log_loss),
         format!("{:.1} %", 100.0 * evaluation.calibration.expected_error),
         shares(told_classes),
@@ -162,7 +170,7 @@ fn row(name: &str, part: &Part, told_classes: &[Told]) -> [String; 7] {
 }
 
 /// Counts of predicted classes, and of answers without one, by the true class.
-fn told_confusion(told: &[Told]) -> String {
+fn prediction_confusion(told: &[Prediction]) -> String {
     let [a, b, c, d] = Class::ALL.map(Class::name);
     let columns = Class::ALL.map(Predicted::Class).into_iter().chain([Predicted::Unknown]);
     let rows = Class::ALL.iter().enumerate().map(|(class, of)| {

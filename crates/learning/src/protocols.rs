@@ -8,19 +8,22 @@ mod curves;
 mod paper;
 mod settings;
 
-use crate::evaluation::{confusion, shares, sightings_of, told_by};
+use crate::evaluation::{confusion, predictions, shares, sightings_of};
 use crate::training::{iterations_of_signatures, note_lone_vehicles};
 use artifact::settings::Class;
-use classifier::{Part, ReliabilityBin, Seen, Sightings, SignatureTraining, Trained, likeness};
-use conditions::{OfTracks, conditions};
+use classifier::{
+    ClassificationMetrics, ReliabilityBin, Sighting, Sightings, SignatureTraining, TrainedModel,
+    feature_similarity,
+};
+use conditions::{TrackConditions, conditions};
 use pipeline::chain::class_rule::ClassRule;
-use pipeline::chain::loaded_model::{of_classifier, of_classifier_about};
+use pipeline::chain::loaded_model::{classifier_failure, classifier_failure_about};
 use pipeline::host::dataset_folders::DatasetFolder;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::host::progress::Work;
 use pipeline::host::safe_text::{in_markdown, markdown_table};
-use protocol_set::{HELD_OUT, Kept, Protocol, answers, name_of, of_test, of_training, told};
+use protocol_set::{HELD_OUT, Protocol, SightingFilter, answers, evaluate, name_of, of_test, of_training};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::iter;
@@ -29,7 +32,7 @@ use std::path::{Path, PathBuf};
 pub use settings::ProtocolSettings;
 
 /// Arrays with a row in the table.
-const ARRAYS: [(&str, Kept); 3] =
+const ARRAYS: [(&str, SightingFilter); 3] =
     [("all", |_| true), ("without rows", |seen| !seen.has_rows), ("with rows", |seen| seen.has_rows)];
 
 const COLUMNS: [&str; 7] = [
@@ -72,13 +75,13 @@ fn of_signatures(
     of_tests: &[DatasetFolder],
 ) -> Result<String, Failure> {
     let of_learned = conditions(datasets)?;
-    let of_tested: Vec<OfTracks> =
+    let of_tested: Vec<TrackConditions> =
         of_tests.iter().map(|folder| conditions(std::slice::from_ref(folder))).collect::<Result<_, _>>()?;
     let learned = sightings_of(datasets)?;
     let tests: Vec<Sightings> =
         of_tests.iter().map(|folder| sightings_of(std::slice::from_ref(folder))).collect::<Result<_, _>>()?;
     for (folder, test) in settings.test.iter().zip(&tests) {
-        learned.check_apart(test).map_err(of_classifier_about(folder))?;
+        learned.check_disjoint(test).map_err(classifier_failure_about(folder))?;
     }
     let mut protocols = of_training(&learned, &settings.datasets);
     let named = |folder: &PathBuf| format!("T: {} never seen", name_of(folder));
@@ -89,7 +92,7 @@ fn of_signatures(
         let before = (seed - 1) as usize;
         let all = settings.seeds as usize;
         let one = training.train(&learned, seed, &mut |at, of| work.at(before * of + at, all * of));
-        trained.push(one.map_err(of_classifier)?);
+        trained.push(one.map_err(classifier_failure)?);
     }
     drop(work);
     note_lone_vehicles(&learned);
@@ -101,7 +104,7 @@ fn of_signatures(
     }
     for ((folder, test), known) in settings.test.iter().zip(&tests).zip(&of_tested) {
         page += &by_condition(&of_test(named(folder), test), known, &trained[0]);
-        page += &likenesses(folder, &learned, test);
+        page += &feature_similarities(folder, &learned, test);
     }
     if settings.curves {
         let tests: Vec<(String, &Sightings)> =
@@ -111,11 +114,12 @@ fn of_signatures(
     Ok(page)
 }
 
-fn page(protocols: &[Protocol<'_>], trained: &[Trained]) -> String {
+fn page(protocols: &[Protocol<'_>], trained: &[TrainedModel]) -> String {
     let mut rows = Vec::new();
     for protocol in protocols {
-        for (array, kept) in ARRAYS {
-            let told: Vec<[Part; 2]> = trained.iter().filter_map(|t| told(protocol, t, kept)).collect();
+        for (array, filter) in ARRAYS {
+            let told: Vec<[ClassificationMetrics; 2]> =
+                trained.iter().filter_map(|t| evaluate(protocol, t, filter)).collect();
             if !told.is_empty() {
                 rows.push(row(&protocol.name, array, &told));
             }
@@ -127,7 +131,7 @@ fn page(protocols: &[Protocol<'_>], trained: &[Trained]) -> String {
         markdown_table(&COLUMNS, rows)
     );
     for protocol in protocols {
-        if let Some([_, tracks]) = trained.first().and_then(|first| told(protocol, first, |_| true)) {
+        if let Some([_, tracks]) = trained.first().and_then(|first| evaluate(protocol, first, |_| true)) {
             let table = confusion(&tracks.evaluation);
             let _ =
                 write!(page, "\n{}, by track, seed 1, rows true, columns told:\n\n{table}", protocol.name);
@@ -136,15 +140,17 @@ fn page(protocols: &[Protocol<'_>], trained: &[Trained]) -> String {
     page
 }
 
-fn row(name: &str, array: &str, told: &[[Part; 2]]) -> [String; 7] {
-    let mean =
-        |value: &dyn Fn(&[Part; 2]) -> f64| 100.0 * told.iter().map(value).sum::<f64>() / told.len() as f64;
+fn row(name: &str, array: &str, told: &[[ClassificationMetrics; 2]]) -> [String; 7] {
+    let mean = |value: &dyn Fn(&[ClassificationMetrics; 2]) -> f64| {
+        100.0 * told.iter().map(value).sum::<f64>() / told.len() as f64
+    };
     let right = |at: usize| {
-        let of = |one: &[Part; 2]| one[at].by_vehicle.mean_over_classes;
+        let of = |one: &[ClassificationMetrics; 2]| one[at].by_vehicle.mean_over_classes;
         let middle = mean(&of);
         let spread = mean(&|one| (100.0 * of(one) - middle).powi(2) / 100.0);
-        let end =
-            |one: &[Part; 2], end: usize| one[at].by_vehicle.interval.map_or(f64::NAN, |ends| ends[end]);
+        let end = |one: &[ClassificationMetrics; 2], end: usize| {
+            one[at].by_vehicle.interval.map_or(f64::NAN, |ends| ends[end])
+        };
         let [low, high] = [0, 1].map(|at_end| mean(&|one| end(one, at_end)));
         let over_vehicles = if low.is_nan() { "–".to_owned() } else { format!("{low:.0} … {high:.0}") };
         format!("{middle:.1} % ({over_vehicles}; ± {:.1})", spread.sqrt())
@@ -155,12 +161,12 @@ fn row(name: &str, array: &str, told: &[[Part; 2]]) -> [String; 7] {
 }
 
 /// Reliability diagram as a table: accuracy of answers by their probability, by frame.
-fn reliability(protocols: &[Protocol<'_>], trained: &Trained) -> String {
+fn reliability(protocols: &[Protocol<'_>], trained: &TrainedModel) -> String {
     let mut table = String::from(
         "\nReliability: mean probability of the likeliest class / share of these answers that is right, % (answers), by frame, seed 1:\n\n",
     );
     for (number, protocol) in protocols.iter().enumerate() {
-        let Some([frames, _]) = told(protocol, trained, |_| true) else { continue };
+        let Some([frames, _]) = evaluate(protocol, trained, |_| true) else { continue };
         let bins = &frames.evaluation.calibration.bins[LEAST_BIN..];
         if number == 0 {
             let ends =
@@ -192,7 +198,7 @@ const THRESHOLDS: [f32; 5] = [0.3, 0.4, 0.5, 0.6, 0.7];
 
 /// Table of the share of each protocol's frames that are right, wrong and unknown, %, by the least
 /// probability of an answer.
-fn by_threshold(protocols: &[Protocol<'_>], trained: &Trained) -> String {
+fn by_threshold(protocols: &[Protocol<'_>], trained: &TrainedModel) -> String {
     let line = |name: &str, cell: &dyn Fn(f32) -> String| {
         iter::once(name.to_owned()).chain(THRESHOLDS.map(cell)).collect::<Vec<_>>()
     };
@@ -200,7 +206,7 @@ fn by_threshold(protocols: &[Protocol<'_>], trained: &Trained) -> String {
         let answers = answers(protocol, trained, |_| true);
         let answers: Vec<_> = answers.iter().map(|(seen, logits)| (seen.class, *logits)).collect();
         let rule = |least| ClassRule { least_probability: least, ..ClassRule::default() };
-        line(&protocol.name, &|least| shares(&told_by(rule(least), &answers)))
+        line(&protocol.name, &|least| shares(&predictions(rule(least), &answers)))
     });
     let table = markdown_table(&line("protocol", &|least| format!("from {least}")), rows);
     format!(
@@ -210,11 +216,11 @@ fn by_threshold(protocols: &[Protocol<'_>], trained: &Trained) -> String {
 
 /// Table of the accuracy on a protocol's vehicles by the conditions of their sightings; those without a line
 /// beside their shard have a row of their own.
-fn by_condition(protocol: &Protocol<'_>, known: &OfTracks, trained: &Trained) -> String {
-    let untold = conditions::untold();
+fn by_condition(protocol: &Protocol<'_>, known: &TrackConditions, trained: &TrainedModel) -> String {
+    let unknown = conditions::unknown();
     let mut of: BTreeMap<(usize, &str, &conditions::Bin), Protocol<'_>> = BTreeMap::new();
     for &(seen, source) in &protocol.seen {
-        let conditions = known.get(&seen.track).unwrap_or(&untold);
+        let conditions = known.get(&seen.track).unwrap_or(&unknown);
         for (order, (condition, value)) in conditions.iter().enumerate() {
             let empty = || Protocol { name: String::new(), seen: vec![] };
             of.entry((order, *condition, value)).or_insert_with(empty).seen.push((seen, source));
@@ -224,7 +230,7 @@ fn by_condition(protocol: &Protocol<'_>, known: &OfTracks, trained: &Trained) ->
         return String::new();
     }
     let row = |((_, condition, (_, value)), protocol): (&(usize, &str, &conditions::Bin), &Protocol<'_>)| {
-        let [frames, tracks] = told(protocol, trained, |_| true)?.map(|part| part.by_vehicle);
+        let [frames, tracks] = evaluate(protocol, trained, |_| true)?.map(|part| part.by_vehicle);
         let [right, by_track] =
             [&frames, &tracks].map(|told| format!("{:.1} %", 100.0 * told.mean_over_classes));
         let value = in_markdown(value).into_owned();
@@ -240,10 +246,11 @@ const COMPARED: [&str; 4] = ["total_dbsm", "extent_m", "peaks", "height_m"];
 
 /// Table of the similarity of features between training and test, as area under the ROC curve, class by
 /// class.
-fn likenesses(folder: &Path, learned: &Sightings, test: &Sightings) -> String {
-    let (learned, test): (Vec<&Seen>, Vec<&Seen>) = (learned.all.iter().collect(), test.all.iter().collect());
+fn feature_similarities(folder: &Path, learned: &Sightings, test: &Sightings) -> String {
+    let (learned, test): (Vec<&Sighting>, Vec<&Sighting>) =
+        (learned.all.iter().collect(), test.all.iter().collect());
     let rows = Class::ALL.iter().enumerate().map(|(number, class)| {
-        let area = |feature| likeness(feature, number, &learned, &test);
+        let area = |feature| feature_similarity(feature, number, &learned, &test);
         let told = COMPARED.map(|feature| area(feature).map_or("–".into(), |area| format!("{area:.2}")));
         iter::once(class.name().to_owned()).chain(told).collect::<Vec<_>>()
     });

@@ -8,7 +8,7 @@ mod lone_vehicles;
 pub(crate) mod network;
 mod signatures;
 
-use pipeline::chain::loaded_model::of_classifier_about;
+use pipeline::chain::loaded_model::classifier_failure_about;
 use pipeline::host::dataset_folders::DatasetFolder;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
@@ -27,7 +27,7 @@ pub fn run(settings: &TrainingSettings) -> Result<(), Failure> {
     check(settings)?;
     let opened = DatasetFolder::open_all(&settings.datasets)?;
     for DatasetFolder { folder, shards } in &opened {
-        classifier::format_of(shards).map_err(of_classifier_about(folder))?;
+        classifier::format_of(shards).map_err(classifier_failure_about(folder))?;
     }
     let datasets: Vec<Vec<PathBuf>> = opened.into_iter().map(|dataset| dataset.shards).collect();
     files::claim(&classifier::MODEL_FILES.map(|name| settings.out.join(name)))?;

@@ -16,12 +16,12 @@ use crate::host::progress::{self, Work};
 use artifact::Accuracy;
 use artifact::scene::SceneHeader;
 use artifact::settings::{EchoMode, NodeRule, Sides};
-use choice::{Budget, Choice, Fixed};
+use choice::{Budget, PhysicsChoice, SpecifiedPhysics};
 use costs::PartCosts;
-use echo_shares::Shares;
+use echo_shares::EchoShares;
 use physics_part::PhysicsPart;
-use plan_figures::{Chosen, PlanFigures};
-use scene::{Planning, SaidPhysics};
+use plan_figures::{ChosenPlan, PlanFigures};
+use scene::{PhysicsKeys, Planning};
 use std::path::Path;
 use std::slice;
 
@@ -34,7 +34,7 @@ pub struct PlannedScene {
     /// Whether a plan was requested, and the scene was looked at.
     pub is_looked_at: bool,
     /// Physics that the scene's file specifies.
-    pub said: SaidPhysics,
+    pub said: PhysicsKeys,
 }
 
 /// Loads a scene as [`loading::scene`] does, and chooses its physics if its file, or an accuracy on the
@@ -47,7 +47,7 @@ pub fn scene(
     cache: Option<&Cache>,
     memory: Allowance,
 ) -> Result<PlannedScene, Failure> {
-    told_of(source, cache, memory, PartCosts::Untold)
+    load_and_plan(source, cache, memory, PartCosts::Omitted)
 }
 
 /// Loads and plans a scene, with the expected cost of each part of the physics
@@ -60,35 +60,35 @@ pub fn explained_scene(
     cache: Option<&Cache>,
     memory: Allowance,
 ) -> Result<PlannedScene, Failure> {
-    told_of(source, cache, memory, PartCosts::Told)
+    load_and_plan(source, cache, memory, PartCosts::Estimated)
 }
 
-fn told_of(
+fn load_and_plan(
     source: &SceneSource,
     cache: Option<&Cache>,
     memory: Allowance,
     part_costs: PartCosts,
 ) -> Result<PlannedScene, Failure> {
-    let planned = chosen(source, cache, memory, part_costs)?;
+    let planned = choose(source, cache, memory, part_costs)?;
     below_road::notes(&planned.loaded.header).into_iter().for_each(progress::note);
     Ok(planned)
 }
 
-fn chosen(
+fn choose(
     source: &SceneSource,
     cache: Option<&Cache>,
     memory: Allowance,
     part_costs: PartCosts,
 ) -> Result<PlannedScene, Failure> {
     // The scene and its specified physics have to come from the same file content.
-    let ((mut loaded, said), _) = loading::read_of(slice::from_ref(&source.file), || {
+    let ((mut loaded, said), _) = loading::read_hashed(slice::from_ref(&source.file), || {
         let loaded = loading::scene(source, cache)?;
-        Ok((loaded, scene::said_physics(&source.file, &[]).map_err(loading::of_scene)?))
+        Ok((loaded, scene::physics_keys(&source.file, &[]).map_err(loading::scene_failure)?))
     })?;
     if let Some(db) = source.accuracy_db {
         loaded.header.fidelity.accuracy = Accuracy::from_db(db);
         loaded.header.fidelity.goal = None;
-    } else if said.planning == Planning::AsSaid {
+    } else if said.planning == Planning::AsSpecified {
         return Ok(PlannedScene { loaded, plan: None, is_looked_at: false, said });
     }
     let plan = planned(&mut loaded.header, &said, memory, part_costs)?;
@@ -101,7 +101,7 @@ fn chosen(
 /// # Errors
 /// The file cannot be read.
 pub fn unplanned(file: &Path, work: &str) -> Result<Option<String>, Failure> {
-    let said = scene::said_physics(file, &[]).map_err(loading::of_scene)?;
+    let said = scene::physics_keys(file, &[]).map_err(loading::scene_failure)?;
     Ok((said.planning == Planning::ByAccuracy).then(|| {
         format!(
             "{}: `plan = \"accuracy\"` of [fidelity] is not followed: in {work} physics that the scene leaves \
@@ -114,7 +114,7 @@ pub fn unplanned(file: &Path, work: &str) -> Result<Option<String>, Failure> {
 /// Chooses the physics of a scene; `None`, without a choice, if nothing scatters in the frames looked at.
 fn planned(
     header: &mut SceneHeader,
-    said: &SaidPhysics,
+    said: &PhysicsKeys,
     memory: Allowance,
     part_costs: PartCosts,
 ) -> Result<Option<PlanFigures>, Failure> {
@@ -127,33 +127,33 @@ fn planned(
     let tracer = echo_shares::tracer(header, memory)?;
     let Some(shares) = echo_shares::shares(header, said, &tracer)? else { return Ok(None) };
     let asked = header.fidelity.accuracy;
-    let fixed = fixed(header, said, &shares);
+    let specified = specified(header, said, &shares);
     let budget = Budget::of(asked.amplitude(), &shares);
     let before = header.clone();
-    let (choice, planned_s) = cheapest(Choice::all(&budget, &shares, &fixed), |choice| {
+    let (choice, planned_s) = cheapest(PhysicsChoice::all(&budget, &shares, &specified), |choice| {
         let mut chosen = before.clone();
         apply(&mut chosen, said, choice);
         costs::expected_s(&chosen, &tracer, memory)
     })?;
     apply(header, said, &choice);
     let expected = |header: &SceneHeader| costs::expected_s(header, &tracer, memory);
-    let open = (part_costs == PartCosts::Told).then_some(&fixed);
+    let open = (part_costs == PartCosts::Estimated).then_some(&specified);
     let seconds = costs::seconds(&before, (header, planned_s), open, expected)?;
-    Ok(Some(Chosen { asked, budget, shares, fixed, choice, seconds }.figures(header)))
+    Ok(Some(ChosenPlan { asked, budget, shares, specified, choice, seconds }.figures(header)))
 }
 
 /// The choice with the least expected time, and its seconds if there was more than one choice: sometimes
 /// finer integrals are cheaper, and sometimes more of the physics.
 fn cheapest(
-    choices: Vec<Choice>,
-    expected_s: impl Fn(&Choice) -> Result<f64, Failure>,
-) -> Result<(Choice, Option<f64>), Failure> {
+    choices: Vec<PhysicsChoice>,
+    expected_s: impl Fn(&PhysicsChoice) -> Result<f64, Failure>,
+) -> Result<(PhysicsChoice, Option<f64>), Failure> {
     // A single choice needs no estimate.
-    let choices = match <[Choice; 1]>::try_from(choices) {
+    let choices = match <[PhysicsChoice; 1]>::try_from(choices) {
         Ok([choice]) => return Ok((choice, None)),
         Err(choices) => choices,
     };
-    let expected = |choice: Choice| expected_s(&choice).map(|seconds| (seconds, choice));
+    let expected = |choice: PhysicsChoice| expected_s(&choice).map(|seconds| (seconds, choice));
     // A choice that does not fit into the memory is discarded if another one fits.
     let (fitting, refused): (Vec<_>, Vec<_>) = choices.into_iter().map(expected).partition(Result::is_ok);
     let cheapest = fitting.into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0));
@@ -165,7 +165,7 @@ fn cheapest(
 }
 
 /// Physics that the scene's own keys specify.
-fn fixed(header: &SceneHeader, said: &SaidPhysics, shares: &Shares) -> Fixed {
+fn specified(header: &SceneHeader, said: &PhysicsKeys, shares: &EchoShares) -> SpecifiedPhysics {
     let fidelity = &header.fidelity;
     let has = |key: &str| said.keys.contains(key);
     let can_follow_road = shares.road.is_some() && fidelity.sides == Sides::Two;
@@ -177,11 +177,11 @@ fn fixed(header: &SceneHeader, said: &SaidPhysics, shares: &Shares) -> Fixed {
     };
     let parts =
         PhysicsPart::ALL.into_iter().filter(is_fixed).map(|part| (part, part.is_in(header))).collect();
-    Fixed { bounces: has("bounces").then_some(fidelity.bounces), parts }
+    SpecifiedPhysics { bounces: has("bounces").then_some(fidelity.bounces), parts }
 }
 
 /// Writes a choice into the scene.
-fn apply(header: &mut SceneHeader, said: &SaidPhysics, choice: &Choice) {
+fn apply(header: &mut SceneHeader, said: &PhysicsKeys, choice: &PhysicsChoice) {
     let has = |key: &str| said.keys.contains(key);
     header.fidelity.accuracy = Accuracy::from_db(artifact::units::db_from_amplitude(choice.numerical));
     header.fidelity.bounces = choice.bounces;

@@ -1,6 +1,6 @@
 //! A box with axes: where a number lies on the sheet.
 
-use crate::svg::{Svg, width_px, wrapped};
+use crate::svg::{Svg, text_width_px, wrap_text};
 
 /// One axis: its range in numbers and in pixels.
 #[derive(Debug, Clone, Copy)]
@@ -17,12 +17,12 @@ pub struct Axis {
 
 impl Axis {
     /// Pixel of a number.
-    pub fn at(&self, value: f64) -> f64 {
+    pub fn to_px(&self, value: f64) -> f64 {
         self.start_px + (value - self.from) / (self.to - self.from) * (self.end_px - self.start_px)
     }
 
     /// Whether a pixel lies between its ends.
-    pub fn holds(&self, pixel: f64) -> bool {
+    pub fn contains_px(&self, pixel: f64) -> bool {
         (self.start_px.min(self.end_px)..=self.start_px.max(self.end_px)).contains(&pixel)
     }
 
@@ -55,29 +55,29 @@ pub struct Axes {
 impl Axes {
     /// Frame, ticks, numbers and labels.
     pub fn draw(&self, sheet: &mut Svg, x_label: &str, y_label: &str) {
-        self.draw_with(sheet, [x_label, y_label], [&numbered(&self.x), &numbered(&self.y)]);
+        self.draw_with_ticks(sheet, [x_label, y_label], [&numbered(&self.x), &numbered(&self.y)]);
     }
 
     /// Draws as [`Axes::draw`] does, with other ticks, [x, y].
-    pub fn draw_with(&self, sheet: &mut Svg, labels: [&str; 2], ticks: [&[Tick]; 2]) {
+    pub fn draw_with_ticks(&self, sheet: &mut Svg, labels: [&str; 2], ticks: [&[Tick]; 2]) {
         let (left, right) = (self.x.start_px, self.x.end_px);
         let (bottom, top) = (self.y.start_px, self.y.end_px);
         sheet.rectangle("ink", [left, top], [right - left, bottom - top]);
         for (value, text) in ticks[0] {
-            let x = self.x.at(*value);
+            let x = self.x.to_px(*value);
             sheet.line("ink", [x, bottom], [x, bottom + tick_px(text)]);
-            sheet.words([x, bottom + 17.0], "middle", text);
+            sheet.text([x, bottom + 17.0], "middle", text);
         }
         for (value, text) in ticks[1] {
-            let y = self.y.at(*value);
+            let y = self.y.to_px(*value);
             sheet.line("ink", [left - tick_px(text), y], [left, y]);
-            sheet.words([left - 7.0, y + 4.0], "end", text);
+            sheet.text([left - 7.0, y + 4.0], "end", text);
         }
-        for (number, line) in wrapped(labels[0], right - left).iter().enumerate() {
-            sheet.words([0.5 * (left + right), bottom + 35.0 + 16.0 * number as f64], "middle", line);
+        for (number, line) in wrap_text(labels[0], right - left).iter().enumerate() {
+            sheet.text([0.5 * (left + right), bottom + 35.0 + 16.0 * number as f64], "middle", line);
         }
-        let widest_px = ticks[1].iter().map(|(_, text)| width_px(text)).fold(0.0, f64::max);
-        sheet.words_upwards([label_px(left, widest_px), 0.5 * (top + bottom)], labels[1]);
+        let widest_px = ticks[1].iter().map(|(_, text)| text_width_px(text)).fold(0.0, f64::max);
+        sheet.vertical_text([label_px(left, widest_px), 0.5 * (top + bottom)], labels[1]);
     }
 }
 
@@ -110,8 +110,8 @@ mod tests {
 
     #[test]
     fn words_beside_an_axis_leave_room_for_long_numbers() {
-        assert_eq!(label_px(60.0, width_px("−15")), 20.0);
-        let long_px = width_px("80000");
+        assert_eq!(label_px(60.0, text_width_px("−15")), 20.0);
+        let long_px = text_width_px("80000");
         assert!(label_px(60.0, long_px) <= 60.0 - 7.0 - long_px - 4.0, "{long_px}");
     }
 
@@ -119,7 +119,7 @@ mod tests {
     fn ticks_are_round_and_lie_inside() {
         let axis = Axis { from: -16.2, to: 16.2, start_px: 500.0, end_px: 0.0 };
         assert_eq!(axis.ticks(), [-15.0, -10.0, -5.0, 0.0, 5.0, 10.0, 15.0]);
-        assert_eq!((axis.at(-16.2), axis.at(16.2)), (500.0, 0.0));
+        assert_eq!((axis.to_px(-16.2), axis.to_px(16.2)), (500.0, 0.0));
         assert_eq!([tick_text(-0.25), tick_text(3.0), tick_text(-0.0)], ["−0.25", "3", "0"]);
     }
 }

@@ -16,7 +16,7 @@ pub(crate) fn is_repeated(n: usize) -> bool {
 
 /// Colour from dark to bright for 0 to 1: eight samples of matplotlib's `inferno`, linear between
 /// (perceptually even).
-pub fn heat(level: f64) -> [u8; 3] {
+pub fn inferno(level: f64) -> [u8; 3] {
     const STOPS: [[f64; 3]; 8] = [
         [0.0, 0.0, 4.0],
         [40.0, 11.0, 84.0],

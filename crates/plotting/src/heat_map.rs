@@ -1,12 +1,12 @@
 //! Numbers over a plane as colours.
 
 use crate::axes::{Axes, Axis};
-use crate::colours::heat;
+use crate::colours::inferno;
 use crate::error::PlottingError;
-use crate::form::Form;
+use crate::layout::Layout;
 use crate::marks::Legend;
 use crate::raster::{self, Pixels};
-use crate::svg::{Svg, wrapped};
+use crate::svg::{Svg, wrap_text};
 use ndarray::Array2;
 
 /// A map with axes; row 0 lies at the bottom, and axes run between the middles of the outer cells.
@@ -27,7 +27,7 @@ pub struct HeatMap {
     /// Unit of the levels, below their scale.
     pub unit: String,
     /// A picture with transparent parts that is laid over the map.
-    pub over: Option<Vec<u8>>,
+    pub overlay: Option<Vec<u8>>,
     /// Legend of what marks mean.
     pub legend: Legend,
 }
@@ -37,7 +37,7 @@ impl HeatMap {
     pub fn draw_square(&self) -> Result<Svg, PlottingError> {
         const SIDE: f64 = 420.0;
         let mut sheet = Svg::new(self.title.clone(), SIDE + 130.0, 0.0);
-        let top = head(&mut sheet, &self.title, &self.notes);
+        let top = draw_title(&mut sheet, &self.title, &self.notes);
         let axes = Axes {
             x: Axis { from: self.x.1[0], to: self.x.1[1], start_px: 60.0, end_px: 60.0 + SIDE },
             y: Axis { from: self.y.1[0], to: self.y.1[1], start_px: top + SIDE, end_px: top },
@@ -47,7 +47,7 @@ impl HeatMap {
         let brightest = if brightest.is_finite() { brightest } else { 0.0 };
         let levels = [brightest - self.span_db, brightest];
         sheet.image([60.0, top], [SIDE, SIDE], &heat_png(&self.levels_db, levels)?);
-        if let Some(png) = &self.over {
+        if let Some(png) = &self.overlay {
             sheet.image([60.0, top], [SIDE, SIDE], png);
         }
         axes.draw(&mut sheet, &self.x.0, &self.y.0);
@@ -58,15 +58,15 @@ impl HeatMap {
 }
 
 /// Title and what is to be known beforehand; where the drawing begins.
-pub fn head(sheet: &mut Svg, title: &str, notes: &[String]) -> f64 {
+pub fn draw_title(sheet: &mut Svg, title: &str, notes: &[String]) -> f64 {
     let mut y = 20.0;
-    for line in wrapped(title, 0.82 * sheet.width) {
+    for line in wrap_text(title, 0.82 * sheet.width) {
         sheet.heading([10.0, y], &line);
         y += 18.0;
     }
     let room_px = sheet.width - 20.0;
-    for line in notes.iter().flat_map(|note| wrapped(note, room_px)) {
-        sheet.words([10.0, y], "start", &line);
+    for line in notes.iter().flat_map(|note| wrap_text(note, room_px)) {
+        sheet.text([10.0, y], "start", &line);
         y += 17.0;
     }
     y - 4.0
@@ -78,9 +78,9 @@ pub fn heat_png(map: &Array2<f64>, [dark, bright]: [f64; 2]) -> Result<Vec<u8>, 
     let upside_down = map.rows().into_iter().rev();
     let colours: Vec<u8> = upside_down
         .flat_map(|row| row.to_vec())
-        .flat_map(|level| heat((level - dark) / (bright - dark)))
+        .flat_map(|level| inferno((level - dark) / (bright - dark)))
         .collect();
-    raster::encode(Pixels::Rgb, [columns, rows], &colours)
+    raster::encode_png(Pixels::Rgb, [columns, rows], &colours)
 }
 
 /// Room for the colours' levels at the right of a map.
@@ -89,18 +89,18 @@ pub const SCALE_BAR_PX: f64 = 66.0;
 /// The colours' levels, right of the map.
 pub fn scale_bar(sheet: &mut Svg, axes: &Axes, [dark, bright]: [f64; 2], unit: &str) {
     let (x, top, bottom) = (axes.x.end_px + 14.0, axes.y.end_px, axes.y.start_px);
-    let column: Vec<u8> = (0..64).flat_map(|y| heat(1.0 - f64::from(y) / 63.0)).collect();
-    if let Ok(png) = raster::encode(Pixels::Rgb, [1, 64], &column) {
+    let column: Vec<u8> = (0..64).flat_map(|y| inferno(1.0 - f64::from(y) / 63.0)).collect();
+    if let Ok(png) = raster::encode_png(Pixels::Rgb, [1, 64], &column) {
         sheet.image([x, top], [12.0, bottom - top], &png);
     }
     let axis = Axis { from: dark, to: bright, start_px: bottom, end_px: top };
     for value in axis.ticks() {
-        sheet.words([x + 16.0, axis.at(value) + 4.0], "start", &format!("{value:.0}").replace('-', "−"));
+        sheet.text([x + 16.0, axis.to_px(value) + 4.0], "start", &format!("{value:.0}").replace('-', "−"));
     }
-    sheet.words([x, bottom + 17.0], "start", unit);
+    sheet.text([x, bottom + 17.0], "start", unit);
 }
 
-impl Form {
+impl Layout {
     /// Left and right end of a map with its scale.
     pub fn map_sides_px(self) -> [f64; 2] {
         let [left, right] = self.sides_px();

@@ -1,31 +1,31 @@
 //! Names beside what they name, none over another.
 
-use crate::svg::{Svg, TEXT_PX, width_px};
+use crate::svg::{Svg, TEXT_PX, text_width_px};
 
 /// Names that have found their place.
 #[derive(Debug, Clone)]
 pub struct Labels {
     frame: [f64; 4],
     /// Boxes, [left, top, right, bottom].
-    taken: Vec<[f64; 4]>,
+    occupied: Vec<[f64; 4]>,
     placed: Vec<([f64; 2], String)>,
 }
 
 impl Labels {
     /// Labels inside a box.
     pub fn within(frame: [f64; 4]) -> Self {
-        Self { frame, taken: vec![], placed: vec![] }
+        Self { frame, occupied: vec![], placed: vec![] }
     }
 
     /// Labels, none yet, with no room where these stand.
-    pub fn beside(&self) -> Self {
+    pub fn next_layer(&self) -> Self {
         Self { placed: vec![], ..self.clone() }
     }
 
     /// Puts a name above, below, right or left of a box, where there is room first; left out where there is
     /// none.
-    pub fn put(&mut self, [left, top, right, bottom]: [f64; 4], words: &str) {
-        let (wide, high) = (width_px(words), TEXT_PX);
+    pub fn place(&mut self, [left, top, right, bottom]: [f64; 4], words: &str) {
+        let (wide, high) = (text_width_px(words), TEXT_PX);
         let (x, y) = (0.5 * (left + right), 0.5 * (top + bottom));
         let corners = [
             [x - 0.5 * wide, top - high - 3.0],
@@ -35,9 +35,9 @@ impl Labels {
         ];
         let boxes = corners.map(|[x, y]| [x, y, x + wide, y + high]);
         let is_free =
-            |of: &&[f64; 4]| self.is_inside(of) && !self.taken.iter().any(|other| overlap(of, other));
+            |of: &&[f64; 4]| self.is_inside(of) && !self.occupied.iter().any(|other| overlap(of, other));
         if let Some(free) = boxes.iter().find(is_free).copied() {
-            self.taken.push(free);
+            self.occupied.push(free);
             self.placed.push(([0.5 * (free[0] + free[2]), free[3] - 2.0], words.to_owned()));
         }
     }
@@ -50,14 +50,14 @@ impl Labels {
     /// Writes the names over everything else.
     pub fn draw(&self, sheet: &mut Svg) {
         for (at, words) in &self.placed {
-            sheet.words_over(*at, "middle", words, ["", "halo"]);
+            sheet.text_with_halo(*at, "middle", words, ["", "halo"]);
         }
     }
 
     /// Draws as [`Labels::draw`] does, on a map of colours.
     pub fn draw_on_map(&self, sheet: &mut Svg, class: &str) {
         for (at, words) in &self.placed {
-            sheet.words_over(*at, "middle", words, [class, "shade"]);
+            sheet.text_with_halo(*at, "middle", words, [class, "shade"]);
         }
     }
 }
@@ -73,10 +73,10 @@ mod tests {
     #[test]
     fn names_do_not_lie_over_each_other_nor_beyond_the_frame() {
         let mut labels = Labels::within([0.0, 0.0, 200.0, 100.0]);
-        (0..40).for_each(|i| labels.put([90.0, 40.0, 100.0, 60.0], &format!("body-{i}")));
+        (0..40).for_each(|i| labels.place([90.0, 40.0, 100.0, 60.0], &format!("body-{i}")));
         assert_eq!(labels.placed.len(), 4);
-        for (i, a) in labels.taken.iter().enumerate() {
-            assert!(labels.is_inside(a) && labels.taken[..i].iter().all(|b| !overlap(a, b)));
+        for (i, a) in labels.occupied.iter().enumerate() {
+            assert!(labels.is_inside(a) && labels.occupied[..i].iter().all(|b| !overlap(a, b)));
         }
     }
 }

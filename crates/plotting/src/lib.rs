@@ -9,7 +9,7 @@ pub mod colours;
 pub mod clip;
 pub mod labels;
 pub mod marks;
-pub mod form;
+pub mod layout;
 pub mod axes;
 pub mod error;
 pub mod raster;

@@ -2,8 +2,8 @@
 
 use crate::axes::{Axes, Axis, Tick, tick_text};
 use crate::colours::{is_repeated, line_colour};
-use crate::form::Form;
-use crate::heat_map::head;
+use crate::heat_map::draw_title;
+use crate::layout::Layout;
 use crate::marks::{Legend, Mark};
 use crate::svg::Svg;
 
@@ -24,10 +24,10 @@ pub struct Line {
     /// Numbers `[x, y]`, in the order in which they are joined.
     pub points: Vec<[f64; 2]>,
     /// Whether its points are marked.
-    pub marked: bool,
+    pub has_markers: bool,
     /// Words of each point, shown while the pointer rests on its mark; of points beyond the last there are
     /// none.
-    pub words: Vec<String>,
+    pub tooltips: Vec<String>,
 }
 
 /// Lines with axes and a legend.
@@ -51,24 +51,24 @@ pub struct LinePlot {
 
 impl LinePlot {
     /// The picture; points that an axis cannot show are left out.
-    pub fn draw(&self, form: Form) -> Svg {
-        let mut sheet = Svg::new(self.title.clone(), form.width_px(), 0.0);
-        let top = head(&mut sheet, &self.title, &self.notes);
+    pub fn draw(&self, layout: Layout) -> Svg {
+        let mut sheet = Svg::new(self.title.clone(), layout.width_px(), 0.0);
+        let top = draw_title(&mut sheet, &self.title, &self.notes);
         let lines: Vec<Vec<Point>> = self.lines.iter().map(|l| self.scaled(l)).collect();
         let all: Vec<[f64; 2]> = lines.concat().into_iter().map(|point| point.place).collect();
         let (x, y) = (span(&all, 0), span(&all, 1));
-        let [left, right] = form.sides_px();
+        let [left, right] = layout.sides_px();
         let axes = Axes {
             x: Axis { from: x.0, to: x.1, start_px: left, end_px: right },
             y: Axis { from: y.0, to: y.1, start_px: top + HEIGHT_PX, end_px: top },
         };
         let (x_ticks, y_ticks) = (ticks(self.x_scale, &axes.x), ticks(self.y_scale, &axes.y));
-        axes.draw_with(&mut sheet, [&self.x_label, &self.y_label], [&x_ticks, &y_ticks]);
+        axes.draw_with_ticks(&mut sheet, [&self.x_label, &self.y_label], [&x_ticks, &y_ticks]);
         let mut legend = Legend::default();
         for (n, (line, points)) in self.lines.iter().zip(&lines).enumerate() {
             draw_line(&mut sheet, &axes, n, line, points);
             if !line.name.is_empty() {
-                legend.say_of(&samples(n, line), line_colour(n), &line.name);
+                legend.add_stacked(&samples(n, line), line_colour(n), &line.name);
             }
         }
         legend.draw(&mut sheet, top + HEIGHT_PX + 68.0, [left - 44.0, right]);
@@ -77,7 +77,7 @@ impl LinePlot {
 
     fn scaled<'l>(&self, line: &'l Line) -> Vec<Point<'l>> {
         let place = |[x, y]: &[f64; 2]| [number(self.x_scale, *x), number(self.y_scale, *y)];
-        let words = line.words.iter().map(String::as_str).chain(std::iter::repeat(""));
+        let words = line.tooltips.iter().map(String::as_str).chain(std::iter::repeat(""));
         let points =
             line.points.iter().zip(words).map(|(numbers, words)| Point { place: place(numbers), words });
         points.filter(|point| point.place.iter().all(|v| v.is_finite())).collect()
@@ -96,7 +96,7 @@ const HEIGHT_PX: f64 = 320.0;
 /// Marks that a line shows in the legend.
 fn samples(n: usize, line: &Line) -> Vec<Mark> {
     let is_line = line.points.len() > 1;
-    let value = line.marked.then(|| Mark::OF_LINES[n % Mark::OF_LINES.len()]);
+    let value = line.has_markers.then(|| Mark::OF_LINES[n % Mark::OF_LINES.len()]);
     is_line.then(|| stroke_mark(n)).into_iter().chain(value).collect()
 }
 
@@ -152,11 +152,11 @@ fn span(points: &[[f64; 2]], axis: usize) -> (f64, f64) {
 }
 
 fn draw_line(sheet: &mut Svg, axes: &Axes, n: usize, line: &Line, points: &[Point]) {
-    let on_sheet = |point: &Point| [axes.x.at(point.place[0]), axes.y.at(point.place[1])];
+    let on_sheet = |point: &Point| [axes.x.to_px(point.place[0]), axes.y.to_px(point.place[1])];
     let places: Vec<[f64; 2]> = points.iter().map(on_sheet).collect();
     sheet.group("series", &line.name, |sheet| {
         draw_stroke(sheet, n, 1.6, &places);
-        if line.marked {
+        if line.has_markers {
             let mark = Mark::OF_LINES[n % Mark::OF_LINES.len()];
             let draw = |(point, place): (&Point, &[f64; 2])| {
                 sheet.group("value", point.words, |sheet| mark.draw(sheet, line_colour(n), *place));
@@ -169,7 +169,7 @@ fn draw_line(sheet: &mut Svg, axes: &Axes, n: usize, line: &Line, points: &[Poin
 /// Draws the n-th line of a plot, whole, or broken where its colour is an earlier one's.
 pub(crate) fn draw_stroke(sheet: &mut Svg, n: usize, width: f64, places: &[[f64; 2]]) {
     if is_repeated(n) {
-        sheet.broken(line_colour(n), width, places);
+        sheet.dashed_polyline(line_colour(n), width, places);
     } else {
         sheet.polyline(line_colour(n), width, places);
     }
@@ -177,7 +177,7 @@ pub(crate) fn draw_stroke(sheet: &mut Svg, n: usize, width: f64, places: &[[f64;
 
 /// The same in a legend.
 pub(crate) fn stroke_mark(n: usize) -> Mark {
-    if is_repeated(n) { Mark::BrokenLine } else { Mark::Line }
+    if is_repeated(n) { Mark::DashedLine } else { Mark::Line }
 }
 
 #[cfg(test)]
@@ -189,8 +189,8 @@ mod tests {
         let line = |n: usize| Line {
             name: format!("{n}"),
             points: vec![[1.0, 1.0], [2.0, n as f64]],
-            marked: false,
-            words: vec![],
+            has_markers: false,
+            tooltips: vec![],
         };
         let looks = |n: usize| format!("{} {:?}", line_colour(n), samples(n, &line(n)));
         let all: std::collections::BTreeSet<String> = (0..20).map(looks).collect();
@@ -202,8 +202,8 @@ mod tests {
         let line = Line {
             name: "a line".into(),
             points: vec![[1.0, 0.0], [2.0, 1.0], [3.0, 2.0]],
-            marked: true,
-            words: vec!["not to be seen".into(), "the first".into(), "the second".into()],
+            has_markers: true,
+            tooltips: vec!["not to be seen".into(), "the first".into(), "the second".into()],
         };
         let plot = LinePlot {
             title: "plot".into(),
@@ -214,7 +214,7 @@ mod tests {
             y_scale: Scale::Logarithmic,
             lines: vec![line],
         };
-        let text = plot.draw(Form::Wide).text();
+        let text = plot.draw(Layout::Wide).standalone();
         let titles: Vec<&str> =
             text.split("<title>").skip(1).filter_map(|part| part.split("</title>").next()).collect();
         assert_eq!(titles, ["plot", "a line", "the first", "the second"]);

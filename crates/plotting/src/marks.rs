@@ -1,6 +1,6 @@
 //! Forms of marks: the same on the drawing and in its legend.
 
-use crate::svg::{Svg, TEXT_PX, width_px, wrapped};
+use crate::svg::{Svg, TEXT_PX, text_width_px, wrap_text};
 
 /// A kind of mark; its colour is told apart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -10,11 +10,11 @@ pub enum Mark {
     /// An object.
     Ring,
     /// An object that is no body's.
-    BrokenRing,
+    DashedRing,
     /// A detected point at rest.
-    Hollow,
+    SmallRing,
     /// An object at rest.
-    Box,
+    SquareOutline,
     /// True place or value of a body.
     Cross,
     /// The rim of a body.
@@ -22,13 +22,13 @@ pub enum Mark {
     /// A line of a plot.
     Line,
     /// A boundary or a direction.
-    BrokenLine,
+    DashedLine,
     /// Place of a radar.
     Triangle,
     /// Direction to something beyond the edge.
     Arrow,
     /// The dark of a map below a mark.
-    Plate,
+    Backdrop,
     /// Value of a plot.
     Disc,
     /// Value of a plot.
@@ -36,14 +36,14 @@ pub enum Mark {
     /// Value of a plot.
     Diamond,
     /// Value of a plot.
-    Peak,
+    TriangleUp,
     /// Value of a plot.
     Circle,
 }
 
 impl Mark {
     /// Marks of the lines of a plot: told apart by more than colour.
-    pub const OF_LINES: [Self; 5] = [Self::Disc, Self::Square, Self::Diamond, Self::Peak, Self::Circle];
+    pub const OF_LINES: [Self; 5] = [Self::Disc, Self::Square, Self::Diamond, Self::TriangleUp, Self::Circle];
 
     /// Draws the mark at its place; lines and outlines as samples of what they are.
     pub fn draw(self, sheet: &mut Svg, colour: &str, [x, y]: [f64; 2]) {
@@ -52,31 +52,34 @@ impl Mark {
         match self {
             Self::Dot => sheet.disc(colour, [x, y], 2.2),
             Self::Ring => sheet.ring(colour, [x, y], 7.0, ""),
-            Self::BrokenRing => sheet.ring(colour, [x, y], 7.0, " stroke-dasharray=\"3 2.5\""),
-            Self::Hollow => sheet.ring(colour, [x, y], 2.4, ""),
-            Self::Box => sheet.closed(colour, &around(&[[-6.5, -6.5], [6.5, -6.5], [6.5, 6.5], [-6.5, 6.5]])),
+            Self::DashedRing => sheet.ring(colour, [x, y], 7.0, " stroke-dasharray=\"3 2.5\""),
+            Self::SmallRing => sheet.ring(colour, [x, y], 2.4, ""),
+            Self::SquareOutline => {
+                sheet.polygon_outline(colour, &around(&[[-6.5, -6.5], [6.5, -6.5], [6.5, 6.5], [-6.5, 6.5]]))
+            }
             Self::Cross => {
                 sheet.polyline(colour, 2.0, &around(&[[-5.0, 0.0], [5.0, 0.0]]));
                 sheet.polyline(colour, 2.0, &around(&[[0.0, -5.0], [0.0, 5.0]]));
             }
-            Self::Outline => {
-                sheet.outline(colour, &around(&[[-7.0, -4.0], [7.0, -4.0], [7.0, 4.0], [-7.0, 4.0]]))
-            }
+            Self::Outline => sheet
+                .translucent_polygon(colour, &around(&[[-7.0, -4.0], [7.0, -4.0], [7.0, 4.0], [-7.0, 4.0]])),
             Self::Line => sheet.polyline(colour, 2.0, &around(&[[-8.0, 0.0], [8.0, 0.0]])),
-            Self::BrokenLine => sheet.broken(colour, 1.5, &around(&[[-8.0, 0.0], [8.0, 0.0]])),
-            Self::Triangle => sheet.solid(colour, &around(&[[-6.0, 5.0], [6.0, 5.0], [0.0, -6.0]])),
-            Self::Arrow => sheet.solid(colour, &around(&[[-4.0, -5.0], [5.0, 0.0], [-4.0, 5.0]])),
-            Self::Plate => {
-                sheet.solid("plate", &around(&[[-9.0, -9.0], [9.0, -9.0], [9.0, 9.0], [-9.0, 9.0]]))
+            Self::DashedLine => sheet.dashed_polyline(colour, 1.5, &around(&[[-8.0, 0.0], [8.0, 0.0]])),
+            Self::Triangle => sheet.filled_polygon(colour, &around(&[[-6.0, 5.0], [6.0, 5.0], [0.0, -6.0]])),
+            Self::Arrow => sheet.filled_polygon(colour, &around(&[[-4.0, -5.0], [5.0, 0.0], [-4.0, 5.0]])),
+            Self::Backdrop => {
+                sheet.filled_polygon("plate", &around(&[[-9.0, -9.0], [9.0, -9.0], [9.0, 9.0], [-9.0, 9.0]]))
             }
             Self::Disc => sheet.disc(colour, [x, y], 3.8),
             Self::Square => {
-                sheet.solid(colour, &around(&[[-3.5, -3.5], [3.5, -3.5], [3.5, 3.5], [-3.5, 3.5]]))
+                sheet.filled_polygon(colour, &around(&[[-3.5, -3.5], [3.5, -3.5], [3.5, 3.5], [-3.5, 3.5]]))
             }
             Self::Diamond => {
-                sheet.solid(colour, &around(&[[-4.8, 0.0], [0.0, -4.8], [4.8, 0.0], [0.0, 4.8]]))
+                sheet.filled_polygon(colour, &around(&[[-4.8, 0.0], [0.0, -4.8], [4.8, 0.0], [0.0, 4.8]]))
             }
-            Self::Peak => sheet.solid(colour, &around(&[[-4.2, 3.6], [4.2, 3.6], [0.0, -4.4]])),
+            Self::TriangleUp => {
+                sheet.filled_polygon(colour, &around(&[[-4.2, 3.6], [4.2, 3.6], [0.0, -4.4]]))
+            }
             Self::Circle => sheet.ring(colour, [x, y], 3.6, ""),
         }
     }
@@ -95,12 +98,12 @@ const LINE_PX: f64 = 19.0;
 
 impl Legend {
     /// Says once what a mark of a colour means.
-    pub fn say(&mut self, mark: Mark, colour: &str, words: impl Into<String>) {
-        self.say_of(&[mark], colour, words);
+    pub fn add(&mut self, mark: Mark, colour: &str, words: impl Into<String>) {
+        self.add_stacked(&[mark], colour, words);
     }
 
     /// Says once what marks mean that lie one upon another.
-    pub fn say_of(&mut self, marks: &[Mark], colour: &str, words: impl Into<String>) {
+    pub fn add_stacked(&mut self, marks: &[Mark], colour: &str, words: impl Into<String>) {
         let entry = (marks.to_vec(), colour.to_owned(), words.into());
         if !self.entries.contains(&entry) {
             self.entries.push(entry);
@@ -111,14 +114,14 @@ impl Legend {
     pub fn draw(&self, sheet: &mut Svg, top_px: f64, [left, right]: [f64; 2]) {
         let (mut x, mut y) = (left + 9.0, top_px);
         for (marks, colour, words) in &self.entries {
-            let lines = wrapped(words, right - left - TO_WORDS_PX - 9.0);
-            let wide = TO_WORDS_PX + lines.iter().map(|line| width_px(line)).fold(0.0, f64::max);
+            let lines = wrap_text(words, right - left - TO_WORDS_PX - 9.0);
+            let wide = TO_WORDS_PX + lines.iter().map(|line| text_width_px(line)).fold(0.0, f64::max);
             if x + wide > right && x > left + 9.0 {
                 (x, y) = (left + 9.0, y + LINE_PX);
             }
             marks.iter().for_each(|mark| mark.draw(sheet, colour, [x, y]));
             for (number, line) in lines.iter().enumerate() {
-                sheet.words([x + TO_WORDS_PX, y + 4.0 + LINE_PX * number as f64], "start", line);
+                sheet.text([x + TO_WORDS_PX, y + 4.0 + LINE_PX * number as f64], "start", line);
             }
             if lines.len() > 1 {
                 (x, y) = (left + 9.0, y + LINE_PX * lines.len() as f64);

@@ -1,7 +1,7 @@
 //! A level over azimuth, all round.
 
 use crate::colours::line_colour;
-use crate::heat_map::head;
+use crate::heat_map::draw_title;
 use crate::lines::{draw_stroke, stroke_mark};
 use crate::marks::Legend;
 use crate::svg::Svg;
@@ -29,7 +29,7 @@ impl PolarPlot {
     pub fn draw(&self) -> Svg {
         let mut sheet = Svg::new(self.title.clone(), 500.0, 0.0);
         let note = "0° is the body's front; azimuth grows counter-clockwise, seen from above".to_owned();
-        head(&mut sheet, &self.title, &[note]);
+        draw_title(&mut sheet, &self.title, &[note]);
         let levels = self.lines.iter().flat_map(|(_, points)| points.iter().map(|p| p[1]));
         let highest = levels.filter(|l| l.is_finite()).fold(f64::NEG_INFINITY, f64::max);
         let rim_db = if highest.is_finite() { (highest / RING_DB).ceil() * RING_DB } else { 0.0 };
@@ -38,7 +38,7 @@ impl PolarPlot {
         for (n, (name, points)) in self.lines.iter().enumerate() {
             let places: Vec<[f64; 2]> = points.iter().map(|&[az, db]| place(az, db, rim_db)).collect();
             draw_stroke(&mut sheet, n, 1.3, &places);
-            legend.say(stroke_mark(n), line_colour(n), name);
+            legend.add(stroke_mark(n), line_colour(n), name);
         }
         legend.draw(&mut sheet, CENTRE_PX[1] + RADIUS_PX + 46.0, [10.0, 490.0]);
         sheet
@@ -51,13 +51,13 @@ impl PolarPlot {
             sheet.polyline("grid", 0.8, &circle);
             let [x, y] = place(-75.0, db, rim_db);
             let unit = if ring == 0 { self.unit.as_str() } else { "" };
-            sheet.words([x + 3.0, y - 3.0], "start", format!("{db:.0} {unit}").replace('-', "−").trim_end());
+            sheet.text([x + 3.0, y - 3.0], "start", format!("{db:.0} {unit}").replace('-', "−").trim_end());
         }
         for az in (0..360).step_by(30) {
             let az = f64::from(az);
             sheet.polyline("grid", 0.8, &[CENTRE_PX, place(az, rim_db, rim_db)]);
             let [x, y] = place(az, rim_db + 5.0, rim_db);
-            sheet.words([x, y + 4.0], "middle", &format!("{az:.0}°"));
+            sheet.text([x, y + 4.0], "middle", &format!("{az:.0}°"));
         }
     }
 }

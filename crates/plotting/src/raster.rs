@@ -19,12 +19,12 @@ static FONTS: LazyLock<Arc<usvg::fontdb::Database>> = LazyLock::new(|| {
 });
 
 /// The picture as PNG.
-pub fn png(picture: &Svg) -> Result<Vec<u8>, PlottingError> {
+pub fn render_png(picture: &Svg) -> Result<Vec<u8>, PlottingError> {
     let options = usvg::Options { fontdb: FONTS.clone(), ..usvg::Options::default() };
     let (width, height) = ((picture.width as f32 * SCALE) as u32, (picture.height as f32 * SCALE) as u32);
     let mut pixels = Pixmap::new(width.max(1), height.max(1)).ok_or(PlottingError::TooLarge)?;
     let draw = |marks: &str, paper: Paper, pixels: &mut PixmapMut| {
-        let tree = usvg::Tree::from_str(&picture.of_marks(marks, paper), &options)?;
+        let tree = usvg::Tree::from_str(&picture.document_of_marks(marks, paper), &options)?;
         resvg::render(&tree, Transform::from_scale(SCALE, SCALE), pixels);
         Ok::<_, PlottingError>(())
     };
@@ -33,18 +33,23 @@ pub fn png(picture: &Svg) -> Result<Vec<u8>, PlottingError> {
     for layer in picture.layers() {
         match layer {
             Layer::Marks(marks) => draw(marks, Paper::None, sheet)?,
-            Layer::Image { corner, size, png } => lay(sheet, *corner, *size, png)?,
+            Layer::Image { corner, size, png } => draw_image(sheet, *corner, *size, png)?,
         }
     }
     let size = [pixels.width() as usize, pixels.height() as usize];
     // On white paper every pixel is opaque.
     let colours: Vec<u8> =
         pixels.data().chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect();
-    encode(Pixels::Rgb, size, &colours)
+    encode_png(Pixels::Rgb, size, &colours)
 }
 
 /// Stretches a PNG over a rectangle of the drawing.
-fn lay(pixels: &mut PixmapMut, corner: [f64; 2], size: [f64; 2], png: &[u8]) -> Result<(), PlottingError> {
+fn draw_image(
+    pixels: &mut PixmapMut,
+    corner: [f64; 2],
+    size: [f64; 2],
+    png: &[u8],
+) -> Result<(), PlottingError> {
     let image = Pixmap::decode_png(png)?;
     let ([x, y], [width, height]) = (corner.map(hundredths), size.map(hundredths));
     let (columns, rows) = (image.width() as f32, image.height() as f32);
@@ -79,7 +84,11 @@ pub enum Pixels {
 const DEFLATE: png::DeflateCompression = png::DeflateCompression::FdeflateUltraFast;
 
 /// Bytes of pixels, row by row from the top, as PNG.
-pub fn encode(pixels: Pixels, [width, height]: [usize; 2], values: &[u8]) -> Result<Vec<u8>, PlottingError> {
+pub fn encode_png(
+    pixels: Pixels,
+    [width, height]: [usize; 2],
+    values: &[u8],
+) -> Result<Vec<u8>, PlottingError> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, width as u32, height as u32);
     encoder.set_depth(png::BitDepth::Eight);
@@ -103,10 +112,10 @@ mod tests {
     #[test]
     fn a_picture_lies_between_the_marks_before_and_after_it() {
         let mut sheet = Svg::new("two pixels", 20.0, 10.0);
-        let two = encode(Pixels::Rgb, [2, 1], &[255, 0, 0, 0, 0, 255]).unwrap();
+        let two = encode_png(Pixels::Rgb, [2, 1], &[255, 0, 0, 0, 0, 255]).unwrap();
         sheet.image([0.0, 0.0], [20.0, 10.0], &two);
         sheet.rectangle("paper", [8.0, 4.0], [4.0, 2.0]);
-        let picture = image::load_from_memory(&png(&sheet).unwrap()).unwrap().to_rgb8();
+        let picture = image::load_from_memory(&render_png(&sheet).unwrap()).unwrap().to_rgb8();
         assert_eq!(picture.dimensions(), (30, 15));
         let colour = |x: u32, y: u32| picture.get_pixel(x, y).0;
         assert_eq!(
@@ -117,11 +126,11 @@ mod tests {
 
     #[test]
     fn a_picture_that_is_too_large_or_holds_one_that_is_no_png_is_refused_with_its_reason() {
-        let huge = png(&Svg::new("huge", 1e9, 1e9)).unwrap_err();
+        let huge = render_png(&Svg::new("huge", 1e9, 1e9)).unwrap_err();
         assert_eq!(huge.to_string(), "the picture is too large");
         let mut sheet = Svg::new("no PNG", 20.0, 10.0);
         sheet.image([0.0, 0.0], [20.0, 10.0], b"no PNG");
-        assert!(matches!(png(&sheet), Err(PlottingError::Image(_))));
-        assert!(matches!(encode(Pixels::Grey, [2, 1], &[0]), Err(PlottingError::Pixels(_))));
+        assert!(matches!(render_png(&sheet), Err(PlottingError::Image(_))));
+        assert!(matches!(encode_png(Pixels::Grey, [2, 1], &[0]), Err(PlottingError::Pixels(_))));
     }
 }

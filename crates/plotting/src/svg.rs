@@ -40,21 +40,21 @@ const DARK: &str = include_str!("dark.css");
 const POINTER: &str = include_str!("pointer.css");
 
 /// The classes of all pictures, for a page that holds some.
-pub fn style() -> String {
+pub fn stylesheet() -> String {
     format!("{LIGHT}@media (prefers-color-scheme:dark){{{DARK}}}@media (hover:hover){{{POINTER}}}")
 }
 
 /// Room that words take, about.
-pub fn width_px(words: &str) -> f64 {
+pub fn text_width_px(words: &str) -> f64 {
     LETTER * TEXT_PX * words.chars().count() as f64
 }
 
 /// Words in lines that are no wider than `room_px`.
-pub fn wrapped(words: &str, room_px: f64) -> Vec<String> {
+pub fn wrap_text(words: &str, room_px: f64) -> Vec<String> {
     let mut lines: Vec<String> = vec![];
     for word in words.split(' ') {
         match lines.last_mut() {
-            Some(line) if width_px(line) + width_px(word) + LETTER * TEXT_PX <= room_px => {
+            Some(line) if text_width_px(line) + text_width_px(word) + LETTER * TEXT_PX <= room_px => {
                 line.push(' ');
                 line.push_str(word);
             }
@@ -71,8 +71,8 @@ impl Svg {
     }
 
     /// The whole file, for light and dark screens.
-    pub fn text(&self) -> String {
-        self.with_style(&format!("<style>{}</style>", style()))
+    pub fn standalone(&self) -> String {
+        self.with_style(&format!("<style>{}</style>", stylesheet()))
     }
 
     /// Layers of the drawing, from the undermost on.
@@ -81,17 +81,17 @@ impl Svg {
     }
 
     /// A file of its own of some marks, on transparent paper; the undermost lie on white paper.
-    pub(crate) fn of_marks(&self, marks: &str, paper: Paper) -> String {
+    pub(crate) fn document_of_marks(&self, marks: &str, paper: Paper) -> String {
         self.file(&format!("<style>{LIGHT}</style>"), paper, marks)
     }
 
-    /// A part of a page that holds [`style`].
+    /// A part of a page that holds [`stylesheet`].
     pub fn inline(&self) -> String {
         self.with_style("")
     }
 
     fn with_style(&self, style: &str) -> String {
-        self.file(style, Paper::White, &self.layers.iter().map(Layer::text).collect::<String>())
+        self.file(style, Paper::White, &self.layers.iter().map(Layer::markup).collect::<String>())
     }
 
     fn file(&self, style: &str, paper: Paper, body: &str) -> String {
@@ -110,19 +110,19 @@ impl Svg {
     /// Marks that belong together, as a group of a class; its words, if there are any, are shown while the
     /// pointer rests on it.
     pub fn group(&mut self, class: &str, words: &str, draw: impl FnOnce(&mut Self)) {
-        self.put(format_args!("<g class=\"{class}\">"));
+        self.push(format_args!("<g class=\"{class}\">"));
         if !words.is_empty() {
             let words = escaped(words);
-            self.put(format_args!("<title>{words}</title>"));
+            self.push(format_args!("<title>{words}</title>"));
         }
         draw(self);
-        self.put(format_args!("</g>"));
+        self.push(format_args!("</g>"));
     }
 
     /// A straight line of a class.
     pub fn line(&mut self, class: &str, from: [f64; 2], to: [f64; 2]) {
         let ([x1, y1], [x2, y2]) = (from, to);
-        self.put(format_args!(
+        self.push(format_args!(
             "<line class=\"{class}\" x1=\"{x1:.2}\" y1=\"{y1:.2}\" x2=\"{x2:.2}\" y2=\"{y2:.2}\"/>"
         ));
     }
@@ -130,61 +130,61 @@ impl Svg {
     /// A rectangle of a class.
     pub fn rectangle(&mut self, class: &str, corner: [f64; 2], size: [f64; 2]) {
         let ([x, y], [w, h]) = (corner, size);
-        self.put(format_args!(
+        self.push(format_args!(
             "<rect class=\"{class}\" x=\"{x:.2}\" y=\"{y:.2}\" width=\"{w:.2}\" height=\"{h:.2}\"/>"
         ));
     }
 
     /// A closed form of a class that fills it.
-    pub fn ground(&mut self, class: &str, points: &[[f64; 2]]) {
+    pub fn polygon(&mut self, class: &str, points: &[[f64; 2]]) {
         let points = joined(points);
-        self.put(format_args!("<polygon class=\"{class}\" points=\"{points}\"/>"));
+        self.push(format_args!("<polygon class=\"{class}\" points=\"{points}\"/>"));
     }
 
     /// Connected lines of a colour.
     pub fn polyline(&mut self, colour: &str, width: f64, points: &[[f64; 2]]) {
         let points = joined(points);
-        self.put(format_args!(
+        self.push(format_args!(
             "<polyline class=\"{colour}\" points=\"{points}\" fill=\"none\" stroke=\"currentColor\" stroke-width=\"{width}\"/>"
         ));
     }
 
     /// Connected broken lines of a colour.
-    pub fn broken(&mut self, colour: &str, width: f64, points: &[[f64; 2]]) {
+    pub fn dashed_polyline(&mut self, colour: &str, width: f64, points: &[[f64; 2]]) {
         let points = joined(points);
-        self.put(format_args!(
+        self.push(format_args!(
             "<polyline class=\"{colour}\" points=\"{points}\" fill=\"none\" stroke=\"currentColor\" stroke-width=\"{width}\" \
              stroke-dasharray=\"5 4\"/>"
         ));
     }
 
     /// A closed outline, filled faintly.
-    pub fn outline(&mut self, colour: &str, points: &[[f64; 2]]) {
+    pub fn translucent_polygon(&mut self, colour: &str, points: &[[f64; 2]]) {
         let points = joined(points);
-        self.put(format_args!(
+        self.push(format_args!(
             "<polygon class=\"{colour}\" points=\"{points}\" fill=\"currentColor\" fill-opacity=\"0.22\" stroke=\"currentColor\" \
              stroke-width=\"1.4\"/>"
         ));
     }
 
     /// The rim of a closed form.
-    pub fn closed(&mut self, colour: &str, points: &[[f64; 2]]) {
+    pub fn polygon_outline(&mut self, colour: &str, points: &[[f64; 2]]) {
         let points = joined(points);
-        self.put(format_args!(
+        self.push(format_args!(
             "<polygon class=\"{colour}\" points=\"{points}\" fill=\"none\" stroke=\"currentColor\" stroke-width=\"2\"/>"
         ));
     }
 
     /// A closed form, filled.
-    pub fn solid(&mut self, colour: &str, points: &[[f64; 2]]) {
+    pub fn filled_polygon(&mut self, colour: &str, points: &[[f64; 2]]) {
         let points = joined(points);
-        self.put(format_args!("<polygon class=\"{colour}\" points=\"{points}\" fill=\"currentColor\"/>"));
+        self.push(format_args!("<polygon class=\"{colour}\" points=\"{points}\" fill=\"currentColor\"/>"));
     }
 
     /// A disc of a colour.
     pub fn disc(&mut self, colour: &str, centre: [f64; 2], radius: f64) {
         let [x, y] = centre;
-        self.put(format_args!(
+        self.push(format_args!(
             "<circle class=\"{colour}\" cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{radius}\" fill=\"currentColor\" fill-opacity=\"0.85\"/>"
         ));
     }
@@ -192,26 +192,26 @@ impl Svg {
     /// A ring of a colour; `stroke` holds further attributes of its line.
     pub fn ring(&mut self, colour: &str, centre: [f64; 2], radius: f64, stroke: &str) {
         let [x, y] = centre;
-        self.put(format_args!(
+        self.push(format_args!(
             "<circle class=\"{colour}\" cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{radius}\" fill=\"none\" stroke=\"currentColor\" \
              stroke-width=\"2\"{stroke}/>"
         ));
     }
 
     /// Words of the usual size; `anchor` is start, middle or end.
-    pub fn words(&mut self, at: [f64; 2], anchor: &str, words: &str) {
+    pub fn text(&mut self, at: [f64; 2], anchor: &str, words: &str) {
         let ([x, y], words) = (at, escaped(words));
-        self.put(format_args!(
+        self.push(format_args!(
             "<text x=\"{x:.2}\" y=\"{y:.2}\" font-size=\"{TEXT_PX}\" text-anchor=\"{anchor}\">{words}</text>"
         ));
     }
 
     /// Words over other marks: with a rim of class `rim` (halo, or shade on maps), in the colour of `class`,
     /// which may be empty.
-    pub fn words_over(&mut self, at: [f64; 2], anchor: &str, words: &str, [class, rim]: [&str; 2]) {
+    pub fn text_with_halo(&mut self, at: [f64; 2], anchor: &str, words: &str, [class, rim]: [&str; 2]) {
         let ([x, y], words) = (at, escaped(words));
         let place = format!("x=\"{x:.2}\" y=\"{y:.2}\" font-size=\"{TEXT_PX}\" text-anchor=\"{anchor}\"");
-        self.put(format_args!(
+        self.push(format_args!(
             "<text class=\"{rim}\" aria-hidden=\"true\" {place} stroke-width=\"3\" stroke-linejoin=\"round\">{words}</text>\
              <text class=\"{class}\" {place}>{words}</text>"
         ));
@@ -220,15 +220,15 @@ impl Svg {
     /// A heading.
     pub fn heading(&mut self, at: [f64; 2], words: &str) {
         let ([x, y], words) = (at, escaped(words));
-        self.put(format_args!(
+        self.push(format_args!(
             "<text x=\"{x:.2}\" y=\"{y:.2}\" font-size=\"{HEADING_PX}\" font-weight=\"600\">{words}</text>"
         ));
     }
 
     /// Words that run upwards.
-    pub fn words_upwards(&mut self, at: [f64; 2], words: &str) {
+    pub fn vertical_text(&mut self, at: [f64; 2], words: &str) {
         let ([x, y], words) = (at, escaped(words));
-        self.put(format_args!(
+        self.push(format_args!(
             "<text x=\"{x:.2}\" y=\"{y:.2}\" font-size=\"{TEXT_PX}\" text-anchor=\"middle\" transform=\"rotate(-90 {x:.2} {y:.2})\">\
              {words}</text>"
         ));
@@ -239,7 +239,7 @@ impl Svg {
         self.layers.push(Layer::Image { corner, size, png: png.to_vec() });
     }
 
-    fn put(&mut self, mark: std::fmt::Arguments) {
+    fn push(&mut self, mark: std::fmt::Arguments) {
         if !matches!(self.layers.last(), Some(Layer::Marks(_))) {
             self.layers.push(Layer::Marks(String::new()));
         }
@@ -258,7 +258,7 @@ pub(crate) enum Paper {
 
 impl Layer {
     /// The picture as a part of an SVG.
-    fn text(&self) -> String {
+    fn markup(&self) -> String {
         use base64::Engine;
         match self {
             Self::Marks(marks) => marks.clone(),
@@ -313,8 +313,8 @@ mod tests {
     #[test]
     fn wrapped_words_fit_and_none_is_lost() {
         let words = "dashed ring: an object that is nobody's, numbered as in the table";
-        let lines = wrapped(words, 200.0);
+        let lines = wrap_text(words, 200.0);
         assert_eq!(lines.join(" "), words);
-        assert!(lines.iter().all(|line| width_px(line) <= 200.0), "{lines:?}");
+        assert!(lines.iter().all(|line| text_width_px(line) <= 200.0), "{lines:?}");
     }
 }

@@ -1,5 +1,5 @@
 //! Slow, obvious reference methods: [`po`] (first order, dense sampling), [`sbr`] (shooting and bouncing
-//! rays) and [`iterated`] (two bounces without mirrors: currents in the near field of currents).
+//! rays) and [`iterative_po`] (two bounces without mirrors: currents in the near field of currents).
 //!
 //! Input are a mesh, an aspect and frequencies; output is the scattering amplitude S in metres, 2 × 2 over
 //! polarization. Visibility and integration share no code with the beam tracer: separate rays decide what is
@@ -30,17 +30,17 @@
 //! # Ok::<(), po_sbr::ReferenceError>(())
 //! ```
 
-mod standpoint;
+mod aspect;
 mod node;
 mod ray_cast;
 pub mod plane_layers;
 mod coated;
 pub mod po;
 pub mod sbr;
-pub mod iterated;
+pub mod iterative_po;
 #[cfg(test)]
 mod verification;
 
+pub use aspect::Aspect;
 pub use node::Bracket;
 pub use ray_cast::ReferenceError;
-pub use standpoint::Aspect;

@@ -1,6 +1,6 @@
 //! The physical-optics integrand at one surface point (docs/physics.md §1, node integral).
 
-use crate::standpoint::{Ends, Leg};
+use crate::aspect::{AntennaPair, Leg};
 use artifact::paths::Amplitude;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use glam::DVec3;
@@ -55,7 +55,7 @@ impl Arrival {
 /// Node between a forward and a backward wave on a facet with unit normal `normal`; `None` if they meet
 /// different sides of it.
 pub(crate) fn node(
-    ends: &Ends,
+    ends: &AntennaPair,
     forward: &Arrival,
     backward: &Arrival,
     normal: DVec3,

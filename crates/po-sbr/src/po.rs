@@ -1,10 +1,10 @@
 //! First-order physical optics by dense sampling: every facet is divided into small cells, a shadow ray is
 //! cast from each cell to the antennas, and the integrand is evaluated at the points of a quadrature rule.
 
+use crate::aspect::{AntennaPair, Aspect, PreparedAntenna};
 use crate::coated::{self, Surface};
 use crate::node::{self, Arrival, Bracket};
 use crate::ray_cast::{Body, ReferenceError};
-use crate::standpoint::{Aspect, Ends, Post};
 use artifact::paths::Amplitude;
 use artifact::scene::Mesh;
 use artifact::settings::Sides;
@@ -43,7 +43,7 @@ pub fn amplitude(
     let edge_m = node::shortest_wavelength_m(frequencies_hz) / sampling.per_wavelength;
     let job = SamplingJob {
         body: &body,
-        ends: Ends::of(aspect),
+        ends: AntennaPair::of(aspect),
         wavenumbers_per_m: &wavenumbers_per_m,
         edge_m,
         sampling,
@@ -72,7 +72,7 @@ struct Cell {
 
 struct SamplingJob<'a> {
     body: &'a Body,
-    ends: Ends,
+    ends: AntennaPair,
     wavenumbers_per_m: &'a [f64],
     edge_m: f64,
     sampling: &'a Sampling,
@@ -103,7 +103,7 @@ impl SamplingJob<'_> {
     /// Divides a facet into units of work; empty if the facet cannot scatter from one antenna to the other.
     fn patches(&self, facet: u32) -> Vec<Cell> {
         let corners_m = self.body.facets[facet as usize].corners_m;
-        let travel = |post: &Post| -post.leg_from(corners_m[0]).towards;
+        let travel = |post: &PreparedAntenna| -post.leg_from(corners_m[0]).towards;
         let mut patches = Vec::new();
         if self.ends.antennas().all(|post| self.body.scatters(facet, travel(post), self.sampling.sides)) {
             let whole = Cell { facet, corners_m };

@@ -1,8 +1,8 @@
 //! Ray caster of the references: obvhs finds candidates in single precision, hits are decided in double
 //! precision.
 
-use crate::standpoint::Post;
-use artifact::material::{Makeup, Material, Transmission};
+use crate::aspect::PreparedAntenna;
+use artifact::material::{Material, MeshMaterials, Transmission};
 use artifact::scene::Mesh;
 use artifact::settings::Sides;
 use glam::{DVec3, Vec3A};
@@ -101,7 +101,7 @@ pub(crate) struct Body {
     pub(crate) radius_m: f64,
     bvh: Bvh2,
     touching_m: f64,
-    makeup: Makeup,
+    makeup: MeshMaterials,
     slot_of_triangle: Vec<u16>,
 }
 
@@ -167,7 +167,7 @@ impl Body {
 
     /// Whether the straight line from a point of `facet` to the antenna is unobstructed. A facet that touches
     /// the point hides it only if its index is lower, so that exactly one of coincident facets is lit.
-    pub(crate) fn is_clear(&self, point_m: DVec3, facet: u32, post: &Post) -> bool {
+    pub(crate) fn is_clear(&self, point_m: DVec3, facet: u32, post: &PreparedAntenna) -> bool {
         let leg = post.leg_from(point_m);
         let ray = self.single_precision(point_m, leg.towards, f32::INFINITY);
         self.bvh.ray_traverse_miss(ray, |_, slot| {

@@ -8,11 +8,11 @@
 //! with the ray; the phase is linearised over it, which gives sinc(w·a/2)·sinc(w·b/2), w = −k(d₁ + d₂) (their
 //! shape function).
 
+use crate::aspect::{AntennaPair, Aspect, PreparedAntenna};
 use crate::coated::{self, Fields, Surface, fields_at_all};
 use crate::node::{self, Arrival, Bracket, Node};
 use crate::po::{check_count, check_positive};
 use crate::ray_cast::{Body, Hit, ReferenceError};
-use crate::standpoint::{Aspect, Ends, Post};
 use artifact::material::Material;
 use artifact::paths::Amplitude;
 use artifact::scene::Mesh;
@@ -23,7 +23,7 @@ use rayon::prelude::*;
 
 /// Density of rays, and number of bounces.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Shooting {
+pub struct RaySettings {
     /// Rays per shortest wavelength at the body's centre, across the line of sight.
     pub per_wavelength: f64,
     /// Highest bounce order.
@@ -36,7 +36,7 @@ pub struct Shooting {
 
 /// Amplitudes for one aspect.
 #[derive(Debug, Clone, PartialEq)]
-pub struct ByOrder {
+pub struct OrderAmplitudes {
     /// Scattering amplitude S of each bounce order separately, metres, `[order − 1][frequency]`.
     pub orders: Vec<Vec<Amplitude>>,
     /// Number of rays.
@@ -48,30 +48,30 @@ pub fn amplitude(
     mesh: &Mesh,
     aspect: &Aspect,
     frequencies_hz: &[f64],
-    shooting: &Shooting,
-) -> Result<ByOrder, ReferenceError> {
+    shooting: &RaySettings,
+) -> Result<OrderAmplitudes, ReferenceError> {
     let body = Body::of_mesh(mesh)?;
     check_positive("rays per wavelength", shooting.per_wavelength)?;
     frequencies_hz.iter().try_for_each(|f| check_positive("frequency", *f))?;
     let wavenumbers_per_m = node::wavenumbers(frequencies_hz);
     let spacing_m = node::shortest_wavelength_m(frequencies_hz) / shooting.per_wavelength;
-    let ends = Ends::of(aspect);
-    let grid = Grid::over(&body, &ends.transmitter, spacing_m)?;
+    let ends = AntennaPair::of(aspect);
+    let grid = RayGrid::over(&body, &ends.transmitter, spacing_m)?;
     let job = ShootingJob { body: &body, ends, wavenumbers_per_m: &wavenumbers_per_m, grid, shooting };
     let rows: Vec<Orders> = (0..job.grid.rows).into_par_iter().map(|row| job.shoot_row(row)).collect();
-    let mut sums = job.nothing();
+    let mut sums = job.zero_sums();
     for row in &rows {
         sums.iter_mut().flatten().zip(row.iter().flatten()).for_each(|(sum, term)| node::add(sum, term));
     }
     let orders = sums.iter().map(|order| node::scaled(order, &wavenumbers_per_m)).collect();
-    Ok(ByOrder { orders, rays: job.grid.rows * job.grid.columns })
+    Ok(OrderAmplitudes { orders, rays: job.grid.rows * job.grid.columns })
 }
 
 /// Sums `[order − 1][frequency]`, without j√(4π)/λ.
 type Orders = Vec<Vec<Amplitude>>;
 
 /// Rays on a plane through the body's centre, across the line of sight.
-struct Grid {
+struct RayGrid {
     antenna_m: Option<DVec3>,
     centre_m: DVec3,
     axes: [DVec3; 2],
@@ -85,7 +85,7 @@ struct Grid {
 /// A ray, and the change of its direction (finite range) or position (infinite range) to the next ray of the
 /// grid.
 #[derive(Clone, Copy)]
-struct Tube {
+struct RayTube {
     origin_m: DVec3,
     travel: DVec3,
     gradients: [DVec3; 2],
@@ -98,8 +98,8 @@ struct Tube {
 /// once, and convergence would be of first order (a plate: error ∝ spacing instead of spacing^1.5).
 const GRID_TURN_RAD: f64 = 0.5;
 
-impl Grid {
-    fn over(body: &Body, transmitter: &Post, spacing_m: f64) -> Result<Self, ReferenceError> {
+impl RayGrid {
+    fn over(body: &Body, transmitter: &PreparedAntenna, spacing_m: f64) -> Result<Self, ReferenceError> {
         let antenna_m = transmitter.antenna_m;
         let line = antenna_m.map_or(transmitter.towards, |p| p - body.centre_m);
         if antenna_m.is_some() && line.length() <= body.radius_m {
@@ -147,7 +147,7 @@ impl Grid {
             - self.centre_m
     }
 
-    fn tube(&self, transmitter: &Post, row: u64, column: u64, start_m: f64) -> Tube {
+    fn tube(&self, transmitter: &PreparedAntenna, row: u64, column: u64, start_m: f64) -> RayTube {
         let place = |i: usize, n: u64| self.axes[i] * (self.least[i] + (n as f64 + 0.5) * self.spacing_m);
         let through_m = self.centre_m + place(0, row) + place(1, column);
         let (origin_m, travel, gradients) = match self.antenna_m {
@@ -161,26 +161,26 @@ impl Grid {
             None => (through_m - start_m * self.travel, self.travel, self.axes.map(|a| a * self.spacing_m)),
         };
         let fields = transmitter.polarizations(-travel);
-        Tube { origin_m, travel, gradients, fields, length_m: 0.0, excess_m: 0.0 }
+        RayTube { origin_m, travel, gradients, fields, length_m: 0.0, excess_m: 0.0 }
     }
 }
 
 struct ShootingJob<'a> {
     body: &'a Body,
-    ends: Ends,
+    ends: AntennaPair,
     wavenumbers_per_m: &'a [f64],
-    grid: Grid,
-    shooting: &'a Shooting,
+    grid: RayGrid,
+    shooting: &'a RaySettings,
 }
 
 impl ShootingJob<'_> {
-    fn nothing(&self) -> Orders {
+    fn zero_sums(&self) -> Orders {
         let order = vec![Amplitude::default(); self.wavenumbers_per_m.len()];
         vec![order; usize::from(self.shooting.bounces)]
     }
 
     fn shoot_row(&self, row: u64) -> Orders {
-        let mut sums = self.nothing();
+        let mut sums = self.zero_sums();
         for column in 0..self.grid.columns {
             self.follow(
                 self.grid.tube(&self.ends.transmitter, row, column, 1.01 * self.body.radius_m),
@@ -191,7 +191,7 @@ impl ShootingJob<'_> {
     }
 
     /// Follows one ray from the antenna through its reflections.
-    fn follow(&self, mut tube: Tube, sums: &mut Orders) {
+    fn follow(&self, mut tube: RayTube, sums: &mut Orders) {
         let mut left = None;
         // Set from the first reflection by anything but a perfect conductor on.
         let mut coated: Option<Fields> = None;
@@ -209,7 +209,7 @@ impl ShootingJob<'_> {
     }
 
     /// Fields after a reflection, if they differ from those between perfect conductors.
-    fn reflected(&self, tube: &Tube, coated: Option<Fields>, facet: u32) -> Option<Fields> {
+    fn reflected(&self, tube: &RayTube, coated: Option<Fields>, facet: u32) -> Option<Fields> {
         const CONDUCTOR: &Material = &Material::Conductor;
         let material = self.body.material(facet);
         if coated.is_none() && material.is_none() {
@@ -225,7 +225,7 @@ impl ShootingJob<'_> {
     }
 
     /// Adds physical optics over the tube's footprint, if the receiver sees it.
-    fn add_footprint(&self, tube: &Tube, coated: Option<&Fields>, facet: u32, sums: &mut [Amplitude]) {
+    fn add_footprint(&self, tube: &RayTube, coated: Option<&Fields>, facet: u32, sums: &mut [Amplitude]) {
         let x_m = tube.origin_m;
         let receiver = self.ends.receiver();
         let leg = receiver.leg_from(x_m);
@@ -246,7 +246,7 @@ impl ShootingJob<'_> {
             (coated, material) => {
                 let conductor = Material::Conductor;
                 let own = fields_at_all(tube.fields, self.wavenumbers_per_m);
-                let met = Met {
+                let met = CoatedWavePair {
                     tube,
                     sent: coated.unwrap_or(&own),
                     backward,
@@ -263,7 +263,13 @@ impl ShootingJob<'_> {
         }
     }
 
-    fn add_coated(&self, node: &Node, met: &Met<'_>, footprint: [DVec3; 2], sums: &mut [Amplitude]) {
+    fn add_coated(
+        &self,
+        node: &Node,
+        met: &CoatedWavePair<'_>,
+        footprint: [DVec3; 2],
+        sums: &mut [Amplitude],
+    ) {
         let forward = met.tube.arrival();
         for ((sum, &wavenumber_per_m), sent) in sums.iter_mut().zip(self.wavenumbers_per_m).zip(met.sent) {
             let surface = Surface { material: met.material, wavenumber_per_m };
@@ -275,8 +281,8 @@ impl ShootingJob<'_> {
 }
 
 /// Two waves on a facet, one of which has met something other than perfect conductors.
-struct Met<'a> {
-    tube: &'a Tube,
+struct CoatedWavePair<'a> {
+    tube: &'a RayTube,
     sent: &'a Fields,
     backward: Arrival,
     material: &'a Material,
@@ -288,9 +294,9 @@ fn integral(node: &Node, [a, b]: [DVec3; 2], wavenumber_per_m: f64) -> Complex64
     node::phasor(wavenumber_per_m, node.excess_m) * (a.cross(b).length() * shape[0] * shape[1])
 }
 
-impl Tube {
+impl RayTube {
     /// Advances to the facet that was hit.
-    fn advance(&mut self, hit: &Hit, transmitter: &Post, order: usize) {
+    fn advance(&mut self, hit: &Hit, transmitter: &PreparedAntenna, order: usize) {
         self.origin_m += hit.distance_m * self.travel;
         self.length_m += hit.distance_m;
         if order == 0 {

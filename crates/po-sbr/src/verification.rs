@@ -1,10 +1,10 @@
 //! Tests of both references against closed forms with increasing density.
 
+use crate::aspect::AntennaPair;
 use crate::po;
 use crate::ray_cast::Body;
 use crate::sbr;
-use crate::standpoint::Ends;
-use crate::{Aspect, Bracket, ReferenceError, iterated};
+use crate::{Aspect, Bracket, ReferenceError, iterative_po};
 use artifact::paths::Amplitude;
 use artifact::scene::Mesh;
 use artifact::settings::Sides;
@@ -32,7 +32,7 @@ fn by_po(mesh: &Mesh, aspect: &Aspect, per_wavelength: f64, shadow_levels: u32) 
 }
 
 fn by_sbr(mesh: &Mesh, aspect: &Aspect, per_wavelength: f64, bracket: Bracket) -> Vec<Amplitude> {
-    let shooting = sbr::Shooting { per_wavelength, bounces: 3, sides: Sides::Two, bracket };
+    let shooting = sbr::RaySettings { per_wavelength, bounces: 3, sides: Sides::Two, bracket };
     let by_order = sbr::amplitude(mesh, aspect, &[FREQUENCY_HZ], &shooting).unwrap();
     by_order.orders.iter().map(|frequencies| frequencies[0]).collect()
 }
@@ -84,7 +84,7 @@ fn triangular_trihedral(side_m: f64) -> Mesh {
 /// limits.
 fn screen_far(az_deg: f64, el_deg: f64, x: f64, y: [f64; 2], z: [f64; 2]) -> Complex64 {
     let k = 2.0 * PI / WAVELENGTH_M;
-    let r = Ends::of(&far(az_deg, el_deg)).transmitter.towards;
+    let r = AntennaPair::of(&far(az_deg, el_deg)).transmitter.towards;
     let strip = |slope: f64, [a, b]: [f64; 2]| {
         let half_phase = 0.5 * slope * (b - a);
         let sinc = if half_phase.abs() < 1e-9 { 1.0 } else { half_phase.sin() / half_phase };
@@ -295,8 +295,12 @@ fn a_ball_meets_a_grid_of_rays_over_its_cross_section() {
     };
     let po = po::amplitude(&mesh, &aspect, &[low_hz], &sampling).unwrap()[0][0][0];
     let scale = (4.0 * PI).sqrt() * low_hz / SPEED_OF_LIGHT_MPS;
-    let shooting =
-        sbr::Shooting { per_wavelength: 3e10, bounces: 1, sides: Sides::Two, bracket: Bracket::Symmetrised };
+    let shooting = sbr::RaySettings {
+        per_wavelength: 3e10,
+        bounces: 1,
+        sides: Sides::Two,
+        bracket: Bracket::Symmetrised,
+    };
     let sbr = sbr::amplitude(&mesh, &aspect, &[low_hz], &shooting).unwrap().orders[0][0][0][0];
     // Chords of 2⁻⁵·π/2 leave a polygon whose area is too small by ⅔·sagitta ≈ 1e-3; the grid's border adds
     // 2e-4.
@@ -320,7 +324,7 @@ fn bad_input_is_refused_with_its_place() {
     assert_eq!(run(&mesh, 77e9), Err(ReferenceError::NotFinite { vertex: 2 }));
     let inside = Aspect::monostatic(standpoint(0.0, 0.0, 0.05));
     let shooting =
-        sbr::Shooting { per_wavelength: 1.0, bounces: 1, sides: Sides::Two, bracket: Bracket::Plain };
+        sbr::RaySettings { per_wavelength: 1.0, bounces: 1, sides: Sides::Two, bracket: Bracket::Plain };
     let refused = sbr::amplitude(&square(0.1), &inside, &[77e9], &shooting);
     assert!(matches!(refused, Err(ReferenceError::AntennaInside { .. })));
     assert_eq!(run(&Mesh::default(), 77e9), Ok(vec![Amplitude::default()]));
@@ -337,7 +341,7 @@ fn corner(side: f64) -> Mesh {
 fn iterated_currents_converge_with_their_density() {
     let mesh = corner(2.0);
     let aspect = far(10.0, 15.0);
-    let of = |density: f64| iterated::double_bounce(&mesh, &aspect, FREQUENCY_HZ, density).unwrap();
+    let of = |density: f64| iterative_po::double_bounce(&mesh, &aspect, FREQUENCY_HZ, density).unwrap();
     let finest = of(16.0);
     let error = |density: f64| (of(density)[0][0] - finest[0][0]).norm() / finest[0][0].norm();
     let errors = [4.0, 8.0].map(error);
@@ -349,7 +353,7 @@ fn iterated_currents_converge_with_their_density() {
 fn iterated_currents_of_a_corner_on_its_specular_come_to_the_closed_form() {
     // σ = 8πa⁴/λ²·cos²: S_hh = +j√(4π)·√2·a²/λ (docs/physics.md §2), without edges of the mirror.
     let error = |side: f64| {
-        let got = iterated::double_bounce(&corner(side), &far(0.0, 0.0), FREQUENCY_HZ, 4.0).unwrap();
+        let got = iterative_po::double_bounce(&corner(side), &far(0.0, 0.0), FREQUENCY_HZ, 4.0).unwrap();
         let side_m = side * WAVELENGTH_M;
         let asked = (4.0 * PI).sqrt() * 2.0_f64.sqrt() * side_m * side_m / WAVELENGTH_M;
         (got[1][1] - Complex64::new(0.0, asked)).norm() / asked

@@ -9,7 +9,7 @@ pub type Elements = Vec<[f64; 2]>;
 
 /// Unit vectors to the right (horizontal), ahead along the boresight, and up, for a boresight azimuth (from
 /// +y towards +x) and elevation (above the horizon), rad.
-pub fn axes_looking(azimuth_rad: f64, elevation_rad: f64) -> [DVec3; 3] {
+pub fn boresight_axes(azimuth_rad: f64, elevation_rad: f64) -> [DVec3; 3] {
     let [x, y] = horizontal(azimuth_rad);
     let (sin_el, cos_el) = elevation_rad.sin_cos();
     let right = DVec3::new(y, -x, 0.0);
@@ -30,7 +30,7 @@ pub fn boresight_yaw_rad(radar: &Radar) -> f64 {
 
 /// Aperture axes of a radar: right, ahead, up.
 pub fn axes(radar: &Radar) -> [DVec3; 3] {
-    axes_looking(radar.boresight_az_rad, radar.boresight_el_rad)
+    boresight_axes(radar.boresight_az_rad, radar.boresight_el_rad)
 }
 
 /// Amplitude gain of an element towards a unit direction, relative to boresight; `axes` are those of the
@@ -126,12 +126,12 @@ mod tests {
     #[test]
     fn the_axes_are_right_handed_and_follow_azimuth_and_elevation() {
         let near = |a: DVec3, b: [f64; 3]| assert!((a - DVec3::from(b)).length() < 1e-15, "{a} {b:?}");
-        let [right, ahead, up] = axes_looking(0.0, 0.0);
+        let [right, ahead, up] = boresight_axes(0.0, 0.0);
         near(right, [1.0, 0.0, 0.0]);
         near(ahead, [0.0, 1.0, 0.0]);
         near(up, [0.0, 0.0, 1.0]);
         // Looking towards +x, and 45° up: the up axis leans back towards −x.
-        let [right, ahead, up] = axes_looking(FRAC_PI_2, FRAC_PI_4);
+        let [right, ahead, up] = boresight_axes(FRAC_PI_2, FRAC_PI_4);
         let half = 0.5_f64.sqrt();
         near(right, [0.0, -1.0, 0.0]);
         near(ahead, [half, 0.0, half]);

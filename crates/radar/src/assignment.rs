@@ -18,10 +18,10 @@ pub fn assignment(costs: ArrayView2<f64>, unassigned: f64) -> Vec<Option<usize>>
         return vec![None; rows];
     }
     if rows <= columns {
-        return fewer_rows(costs, unassigned);
+        return assign_fewer_rows(costs, unassigned);
     }
     let mut column_of = vec![None; rows];
-    for (column, row) in fewer_rows(costs.reversed_axes(), unassigned).into_iter().enumerate() {
+    for (column, row) in assign_fewer_rows(costs.reversed_axes(), unassigned).into_iter().enumerate() {
         if let Some(row) = row {
             column_of[row] = Some(column);
         }
@@ -30,7 +30,7 @@ pub fn assignment(costs: ArrayView2<f64>, unassigned: f64) -> Vec<Option<usize>>
 }
 
 /// [`assignment`] for at least as many columns as rows.
-fn fewer_rows(costs: ArrayView2<f64>, unassigned: f64) -> Vec<Option<usize>> {
+fn assign_fewer_rows(costs: ArrayView2<f64>, unassigned: f64) -> Vec<Option<usize>> {
     let (rows, columns) = costs.dim();
     // Every row has an additional column of its own that stands for no assignment.
     let cost = |row: usize, column: usize| match costs.get((row, column)) {
@@ -97,11 +97,11 @@ fn augment(
         }
     }
     prices.row[start] += reached;
-    turn_over(start, free, &before, row_of);
+    augment_along(start, free, &before, row_of);
 }
 
 /// Moves every row on the path to the column after it.
-fn turn_over(start: usize, free: usize, before: &[Option<usize>], row_of: &mut [Option<usize>]) {
+fn augment_along(start: usize, free: usize, before: &[Option<usize>], row_of: &mut [Option<usize>]) {
     let mut column = free;
     while let Some(earlier) = before[column] {
         row_of[column] = row_of[earlier];

@@ -31,7 +31,7 @@ impl ComplexVector {
     }
 
     /// The vector mirrored at a plane z = const.
-    pub fn with_z_turned(self) -> Self {
+    pub fn mirrored_in_z(self) -> Self {
         Self { re: self.re.with_z(-self.re.z), im: self.im.with_z(-self.im.z) }
     }
 

@@ -1,6 +1,6 @@
 //! Radar cross section of a detection from the radar equation, where the noise is known.
 
-use crate::aperture::{axes, axes_looking};
+use crate::aperture::{axes, boresight_axes};
 use crate::link::link_amplitude;
 use crate::window::{noise_bandwidth_bins, taper};
 use artifact::cube::CubeHeader;
@@ -39,7 +39,7 @@ fn section_of_noise_m2(header: &CubeHeader, point: &Point) -> Option<f64> {
     let (samples, chirps) = (waveform.samples as usize, waveform.chirps as usize);
     let bandwidth = noise_bandwidth_bins(&taper(header.dsp.range_window, samples).ok()?)
         * noise_bandwidth_bins(&taper(header.dsp.doppler_window, chirps).ok()?);
-    let [_, direction, _] = axes_looking(point.azimuth_rad, point.elevation_rad);
+    let [_, direction, _] = boresight_axes(point.azimuth_rad, point.elevation_rad);
     let cosines = axes(radar).map(|axis| axis.dot(direction));
     let gain = radar.array.pattern.amplitude(cosines).powi(2) * link_amplitude(radar);
     Some(noise_w * bandwidth * point.range_m.powi(4) / ((samples * chirps) as f64 * gain * gain))

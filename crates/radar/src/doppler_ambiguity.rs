@@ -21,7 +21,7 @@ pub fn folded(difference: f64, turn: f64) -> f64 {
 }
 
 /// A velocity as it appears in a radar's map: folded into −v_max … +v_max, m/s.
-pub fn shown_mps(radar: &Radar, velocity_mps: f64) -> f64 {
+pub fn apparent_velocity_mps(radar: &Radar, velocity_mps: f64) -> f64 {
     folded_mps(velocity_mps, 2.0 * radar.velocity_max_mps())
 }
 

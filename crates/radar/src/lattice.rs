@@ -42,7 +42,7 @@ pub fn lattices(radar: &Radar) -> [Lattice; 2] {
 }
 
 /// Whether the array resolves azimuth: its virtual elements have more than one position along the row.
-pub fn tells_azimuth(radar: &Radar) -> bool {
+pub fn resolves_azimuth(radar: &Radar) -> bool {
     lattices(radar)[0].has_extent()
 }
 
@@ -114,7 +114,7 @@ impl Lattice {
     }
 
     /// Beamwidth in direction cosines, λ over the extent; infinite without extent.
-    pub fn beam(&self) -> f64 {
+    pub fn beamwidth(&self) -> f64 {
         if self.has_extent() { 1.0 / (self.spacing * (self.extent + 1) as f64) } else { f64::INFINITY }
     }
 }

@@ -5,16 +5,16 @@ use artifact::scene::Pose;
 /// Pose after `elapsed_s` (before, if negative); for a body that does not turn it is rounded once, to half a
 /// unit in the last place.
 pub fn pose_after(pose: &Pose, elapsed_s: f64) -> Pose {
-    if pose.yaw_radps == 0.0 { straight_on(pose, elapsed_s) } else { around(pose, elapsed_s) }
+    if pose.yaw_radps == 0.0 { straight_motion(pose, elapsed_s) } else { circular_motion(pose, elapsed_s) }
 }
 
 /// Acceleration at the moment of the pose, including the contribution of turning: a + ω × v.
-pub fn whole_acceleration_mps2(pose: &Pose) -> [f64; 3] {
+pub fn total_acceleration_mps2(pose: &Pose) -> [f64; 3] {
     let ([ax, ay, az], [vx, vy, _]) = (pose.acceleration_mps2, pose.velocity_mps);
     [ax - pose.yaw_radps * vy, ay + pose.yaw_radps * vx, az]
 }
 
-fn straight_on(pose: &Pose, elapsed_s: f64) -> Pose {
+fn straight_motion(pose: &Pose, elapsed_s: f64) -> Pose {
     let gained_mps = pose.acceleration_mps2.map(|acceleration_mps2| acceleration_mps2 * elapsed_s);
     // Fused: after an hour at 30 m/s the product alone would round by 1.5e-11 m, 4e-9 of a wavelength. It
     // costs nothing.
@@ -29,15 +29,15 @@ fn straight_on(pose: &Pose, elapsed_s: f64) -> Pose {
 
 /// Pose of a turning body after `t`: it moves by ∫R(ωs)(v + as)ds at the velocity R(ωt)(v + at); the vertical
 /// components do not turn.
-fn around(pose: &Pose, t: f64) -> Pose {
-    let (angle_rad, straight) = (pose.yaw_radps * t, straight_on(pose, t));
-    let [of_velocity, of_acceleration] = [means(angle_rad), ramp_means(angle_rad)];
+fn circular_motion(pose: &Pose, t: f64) -> Pose {
+    let (angle_rad, straight) = (pose.yaw_radps * t, straight_motion(pose, t));
+    let [of_velocity, of_acceleration] = [mean_cos_sin(angle_rad), mean_ramp_cos_sin(angle_rad)];
     let way = |axis: usize| {
-        let by_velocity = turned(pose.velocity_mps, of_velocity)[axis];
-        let by_acceleration = turned(pose.acceleration_mps2, of_acceleration)[axis];
+        let by_velocity = rotated(pose.velocity_mps, of_velocity)[axis];
+        let by_acceleration = rotated(pose.acceleration_mps2, of_acceleration)[axis];
         (by_velocity + by_acceleration * t).mul_add(t, pose.position_m[axis])
     };
-    let now = |v: [f64; 3]| turned(v, [angle_rad.cos(), angle_rad.sin()]);
+    let now = |v: [f64; 3]| rotated(v, [angle_rad.cos(), angle_rad.sin()]);
     Pose {
         position_m: [way(0), way(1), straight.position_m[2]],
         yaw_rad: pose.yaw_rad + angle_rad,
@@ -48,12 +48,12 @@ fn around(pose: &Pose, t: f64) -> Pose {
 }
 
 /// Rotates a vector about the vertical by the angle with this cosine and sine.
-fn turned([x, y, z]: [f64; 3], [cos, sin]: [f64; 2]) -> [f64; 3] {
+fn rotated([x, y, z]: [f64; 3], [cos, sin]: [f64; 2]) -> [f64; 3] {
     [cos * x - sin * y, sin * x + cos * y, z]
 }
 
 /// Means of cosine and sine over angles from 0 to `angle`: sin θ/θ and (1 − cos θ)/θ.
-fn means(angle: f64) -> [f64; 2] {
+fn mean_cos_sin(angle: f64) -> [f64; 2] {
     if angle == 0.0 {
         return [1.0, 0.0];
     }
@@ -63,7 +63,7 @@ fn means(angle: f64) -> [f64; 2] {
 
 /// Integrals ∫s·cos and ∫s·sin of an angle growing linearly from 0, s from 0 to 1; by series where the closed
 /// form would cancel.
-fn ramp_means(angle: f64) -> [f64; 2] {
+fn mean_ramp_cos_sin(angle: f64) -> [f64; 2] {
     let square = angle * angle;
     if angle.abs() < 0.1 {
         let cosine = 0.5 - square * (1.0 / 8.0 - square * (1.0 / 144.0 - square / 5760.0));
@@ -99,7 +99,7 @@ mod tests {
                 let turn = |s: f64| [(yaw_radps * s).cos(), (yaw_radps * s).sin()];
                 let middle_s = (f64::from(step) + 0.5) * step_s;
                 let along = |axis: usize| start.velocity_mps[axis] + start.acceleration_mps2[axis] * middle_s;
-                mps = turned([along(0), along(1), along(2)], turn(middle_s));
+                mps = rotated([along(0), along(1), along(2)], turn(middle_s));
                 at_m = [0, 1, 2].map(|axis| at_m[axis] + step_s * mps[axis]);
             }
             let end = pose_after(&start, seconds);
@@ -119,13 +119,13 @@ mod tests {
             assert!((by_two.position_m[axis] - by_one.position_m[axis]).abs() < 1e-12);
             let near = [-1e-5, 1e-5].map(|s| pose_after(&start, s).velocity_mps[axis]);
             let slope_mps2 = (near[1] - near[0]) / 2e-5;
-            assert!((slope_mps2 - whole_acceleration_mps2(&start)[axis]).abs() < 1e-8);
+            assert!((slope_mps2 - total_acceleration_mps2(&start)[axis]).abs() < 1e-8);
         }
     }
 
     #[test]
     fn series_and_closed_form_meet() {
-        let [below, above] = [0.1 - 1e-12, 0.1 + 1e-12].map(ramp_means);
+        let [below, above] = [0.1 - 1e-12, 0.1 + 1e-12].map(mean_ramp_cos_sin);
         assert!((below[0] - above[0]).abs() < 1e-13 && (below[1] - above[1]).abs() < 1e-12);
     }
 

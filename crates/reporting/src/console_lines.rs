@@ -4,7 +4,7 @@
 use artifact::settings::StaticEchoes;
 use pipeline::outcome::error_figures::decibels;
 use pipeline::outcome::summary::{
-    AccuracyVerdict, Cause, FalseObject, FrameSummary, OneOfRadars, Predicted, RadarsSummary, Summary,
+    AccuracyVerdict, Cause, FalseObject, FrameSummary, Predicted, RadarEntry, RadarsSummary, Summary,
     TargetSummary,
 };
 use pipeline::outcome::verdict::{self, FRAMES_IN_FULL};
@@ -25,7 +25,7 @@ pub fn lines_of_radars(summary: &RadarsSummary) -> Vec<String> {
     summary.radars.iter().map(of_radar).chain(by_nobody.take(FRAMES_TOLD)).collect()
 }
 
-fn of_radar(radar: &OneOfRadars) -> String {
+fn of_radar(radar: &RadarEntry) -> String {
     let accuracy = radar.accuracy.as_ref();
     let verdict = match accuracy.and_then(|accuracy| accuracy.met) {
         Some(true) => "reached",
@@ -34,7 +34,7 @@ fn of_radar(radar: &OneOfRadars) -> String {
     };
     let error = accuracy.map_or_else(|| decibels(None), AccuracyVerdict::reached_in_words);
     let asked = accuracy.map_or("whatever was asked".into(), verdict::asked_in_words);
-    let count = Count::of_radar(radar).text();
+    let count = DetectionCounts::of_radar(radar).text();
     format!("radar {}: {count}; numerical error {error}, {asked}: {verdict}", radar.id)
 }
 
@@ -96,7 +96,7 @@ fn of_clutter(summary: &Summary) -> Option<String> {
 
 /// Counts of targets and objects: found, missed, false, at rest, removed and hidden.
 #[derive(Default, Clone, Copy)]
-struct Count {
+struct DetectionCounts {
     found: usize,
     missed: usize,
     false_ones: usize,
@@ -105,9 +105,9 @@ struct Count {
     hidden: usize,
 }
 
-impl Count {
-    fn of_radar(radar: &OneOfRadars) -> Self {
-        let OneOfRadars { found, missed, false_ones, stationary, removed, .. } = *radar;
+impl DetectionCounts {
+    fn of_radar(radar: &RadarEntry) -> Self {
+        let RadarEntry { found, missed, false_ones, stationary, removed, .. } = *radar;
         Self { found, missed, false_ones, stationary, removed, hidden: 0 }
     }
 
@@ -152,12 +152,16 @@ impl Count {
 fn in_a_line(number: usize, frame: &FrameSummary) -> String {
     let error = frame.accuracy.reached_in_words();
     let missed = if frame.accuracy.met == Some(false) { " (not reached)" } else { "" };
-    format!("frame {number:>3}, {:.3} s: {}; error {error}{missed}", frame.time_s, Count::of(frame).text())
+    format!(
+        "frame {number:>3}, {:.3} s: {}; error {error}{missed}",
+        frame.time_s,
+        DetectionCounts::of(frame).text()
+    )
 }
 
 /// Lines about all frames together: counts, and the frame with the largest error.
 fn together(frames: &[FrameSummary]) -> Vec<String> {
-    let count = frames.iter().map(Count::of).fold(Count::default(), Count::and);
+    let count = frames.iter().map(DetectionCounts::of).fold(DetectionCounts::default(), DetectionCounts::and);
     let causes = causes(frames.iter().flat_map(|frame| &frame.false_objects));
     let causes = if causes.is_empty() { causes } else { format!(" (false: {causes})") };
     let mut lines = vec![format!("all {} frames: {}{causes}", frames.len(), count.text())];
@@ -185,8 +189,10 @@ fn worst_error(frames: &[FrameSummary]) -> Vec<String> {
 
 fn in_full(number: usize, frame: &FrameSummary) -> Vec<String> {
     let (time_s, points) = (frame.time_s, frame.points);
-    let mut lines =
-        vec![format!("frame {number}, {time_s:.3} s: {}; {points} points", Count::of(frame).text())];
+    let mut lines = vec![format!(
+        "frame {number}, {time_s:.3} s: {}; {points} points",
+        DetectionCounts::of(frame).text()
+    )];
     lines
         .extend(verdict::lines(&frame.accuracy, &frame.error_db).into_iter().map(|line| format!("  {line}")));
     lines.extend(left_out(frame).into_iter().chain(outweighing(frame)));

@@ -10,7 +10,7 @@ mod rdm;
 mod exr;
 mod plan_view;
 mod points;
-pub mod radar_view;
+pub mod radar_frame;
 mod common_view;
 
 use artifact::cube::CubeHeader;
@@ -20,10 +20,10 @@ use evaluation::{FrameTruth, Truth};
 use pipeline::chain::link::{Chain, FrameProducts};
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
-use plotting::form::{Figure, Form};
+use plotting::layout::{Figure, Layout};
 use plotting::raster::{self, Pixels};
 use plotting::svg::Svg;
-use rdm::{OnMap, TrueEcho};
+use rdm::{MapOverlay, TrueEcho};
 use std::path::{Path, PathBuf};
 
 pub use common_view::common_view;
@@ -43,7 +43,7 @@ pub struct FrameDrawing<'a> {
     frame: &'a FrameProducts,
     header: CubeHeader,
     /// Objects that belong to no body.
-    nobodys: Vec<usize>,
+    false_objects: Vec<usize>,
     echoes: Vec<TrueEcho>,
     bodies: Vec<bodies::Body>,
 }
@@ -51,11 +51,11 @@ pub struct FrameDrawing<'a> {
 impl<'a> FrameDrawing<'a> {
     /// Prepares a frame with the truth that its pictures show.
     pub fn of(chain: &Chain, frame: &'a FrameProducts, truth: &FrameTruth) -> Self {
-        let is_nobodys = |index: &usize| truth.pairing.body_of(*index).is_none();
+        let is_false = |index: &usize| truth.pairing.body_of(*index).is_none();
         Self {
             frame,
             header: chain.cube_header().in_frame(frame.rdm.index),
-            nobodys: (0..frame.result.points.objects.len()).filter(is_nobodys).collect(),
+            false_objects: (0..frame.result.points.objects.len()).filter(is_false).collect(),
             echoes: true_echoes(frame, truth),
             bodies: bodies::bodies(&frame.view, &frame.result.scene),
         }
@@ -65,34 +65,34 @@ impl<'a> FrameDrawing<'a> {
     pub fn figures(&self) -> Result<FrameFigures, Failure> {
         Ok(FrameFigures {
             plan: self.plan(),
-            rdm: Figure::try_of(|form| self.map(form))?,
-            profile: Figure::try_of(|form| rdm::range_profile(&self.header, &self.frame.rdm, form))?,
-            points: Figure::of(|form| self.points(form)),
+            rdm: Figure::try_draw(|layout| self.map(layout))?,
+            profile: Figure::try_draw(|layout| rdm::range_profile(&self.header, &self.frame.rdm, layout))?,
+            points: Figure::draw(|layout| self.points(layout)),
         })
     }
 
     /// The scene from above.
     pub fn plan(&self) -> Figure {
-        Figure::of(|form| self.plan_in(form))
+        Figure::draw(|layout| self.plan_in(layout))
     }
 
     /// Drawings written to disk: the scene from above, its map and its points, in page form.
     pub fn on_disk(&self) -> Result<[Svg; 3], Failure> {
-        Ok([self.plan_in(Form::Wide), self.map(Form::Wide)?, self.points(Form::Wide)])
+        Ok([self.plan_in(Layout::Wide), self.map(Layout::Wide)?, self.points(Layout::Wide)])
     }
 
-    fn plan_in(&self, form: Form) -> Svg {
-        plan_view::of_frame(&self.frame.view, &self.frame.result, &self.nobodys, form)
+    fn plan_in(&self, layout: Layout) -> Svg {
+        plan_view::of_frame(&self.frame.view, &self.frame.result, &self.false_objects, layout)
     }
 
-    fn map(&self, form: Form) -> Result<Svg, Failure> {
+    fn map(&self, layout: Layout) -> Result<Svg, Failure> {
         let points = Some(&self.frame.result.points);
-        let over = OnMap { points, nobodys: Some(&self.nobodys), truth: &self.echoes };
-        rdm::draw(&self.header, &self.frame.rdm, &over, form)
+        let over = MapOverlay { points, false_objects: Some(&self.false_objects), truth: &self.echoes };
+        rdm::draw(&self.header, &self.frame.rdm, &over, layout)
     }
 
-    fn points(&self, form: Form) -> Svg {
-        points::draw(&self.header, &self.frame.result.points, &self.bodies, form)
+    fn points(&self, layout: Layout) -> Svg {
+        points::draw(&self.header, &self.frame.result.points, &self.bodies, layout)
     }
 }
 
@@ -105,7 +105,7 @@ impl FrameFigures {
 
 /// True range and radial velocity of each body's echo; bodies without an echo are left out.
 fn true_echoes(frame: &FrameProducts, truth: &FrameTruth) -> Vec<TrueEcho> {
-    let named = frame.view.targets.iter().zip(&truth.truths).filter(|(_, truth)| truth.sends_back);
+    let named = frame.view.targets.iter().zip(&truth.truths).filter(|(_, truth)| truth.returns_echo);
     let echo = |(target, truth): (&artifact::scene::Target, &Truth)| TrueEcho {
         name: target.id.clone(),
         range_m: truth.echo.map_or(truth.range_m, |e| e.range_m),
@@ -140,28 +140,29 @@ pub fn of_map(
     folder: &Path,
 ) -> Result<(), Failure> {
     let (header, number) = (&header.in_frame(rdm.index), rdm.index);
-    let over = OnMap { points: Some(points), ..OnMap::default() };
-    write_png(&folder.join(format!("rdm-{number:04}.png")), &rdm::draw(header, rdm, &over, Form::Wide)?)?;
+    let over = MapOverlay { points: Some(points), ..MapOverlay::default() };
+    write_png(&folder.join(format!("rdm-{number:04}.png")), &rdm::draw(header, rdm, &over, Layout::Wide)?)?;
     write_png(
         &folder.join(format!("points-{number:04}.png")),
-        &points::draw(header, points, &[], Form::Wide),
+        &points::draw(header, points, &[], Layout::Wide),
     )?;
     rdm_exr(header, rdm, &folder.join(format!("rdm-{number:04}.exr")))
 }
 
 /// Writes a map with axes and no marks.
 pub fn write_map(file: &Path, header: &CubeHeader, rdm: &RdmFrame) -> Result<(), Failure> {
-    write_png(file, &rdm::draw(&header.in_frame(rdm.index), rdm, &OnMap::default(), Form::Wide)?)
+    write_png(file, &rdm::draw(&header.in_frame(rdm.index), rdm, &MapOverlay::default(), Layout::Wide)?)
 }
 
 /// Writes an SVG as PNG.
 pub fn write_png(file: &Path, picture: &Svg) -> Result<(), Failure> {
-    let bytes = raster::png(picture).map_err(|e| Failure::system(file, "draw", e))?;
+    let bytes = raster::render_png(picture).map_err(|e| Failure::system(file, "draw", e))?;
     files::write_file(file, &bytes)
 }
 
 /// Writes grey levels, row-major, as PNG.
 pub fn write_gray(file: &Path, size: [usize; 2], pixels: &[u8]) -> Result<(), Failure> {
-    let bytes = raster::encode(Pixels::Grey, size, pixels).map_err(|e| Failure::system(file, "encode", e))?;
+    let bytes =
+        raster::encode_png(Pixels::Grey, size, pixels).map_err(|e| Failure::system(file, "encode", e))?;
     files::write_file(file, &bytes)
 }

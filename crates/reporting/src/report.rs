@@ -19,8 +19,8 @@ pub use page::{figure, is_report, sheet};
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::outcome::summary::{RadarsSummary, Summary};
-use plotting::form::Figure;
-pub use provenance_paragraph::Making;
+use plotting::layout::Figure;
+pub use provenance_paragraph::ReportOrigin;
 use std::path::Path;
 pub use tables::scrolled;
 
@@ -36,8 +36,8 @@ pub fn is_in_strip(index: u32, frames: u32) -> bool {
 }
 
 /// Writes the report of a run from its summary and its figures.
-pub fn write(summary: &Summary, figures: &Figures, making: &Making, out: &Path) -> Result<(), Failure> {
-    files::write_file(&out.join("report.html"), page::page(summary, figures, making).as_bytes())
+pub fn write(summary: &Summary, figures: &Figures, origin: &ReportOrigin, out: &Path) -> Result<(), Failure> {
+    files::write_file(&out.join("report.html"), page::page(summary, figures, origin).as_bytes())
 }
 
 /// Writes the report of several radars, each with its id and summary, above theirs.
@@ -45,8 +45,8 @@ pub fn write_several(
     summary: &RadarsSummary,
     radars: &[(&str, &Summary)],
     views: &[Figure],
-    making: &Making,
+    origin: &ReportOrigin,
     out: &Path,
 ) -> Result<(), Failure> {
-    files::write_file(&out.join("report.html"), radars::page(summary, radars, views, making).as_bytes())
+    files::write_file(&out.join("report.html"), radars::page(summary, radars, views, origin).as_bytes())
 }

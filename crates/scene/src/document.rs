@@ -4,7 +4,7 @@ pub(crate) mod ranges;
 pub mod keys;
 pub(crate) mod synonyms;
 pub(crate) mod errors;
-pub mod faults;
+pub mod diagnostics;
 pub(crate) mod changes;
 pub mod section;
 pub mod values;

@@ -8,7 +8,7 @@
 //! further properties.
 //!
 //! ```
-//! use scene::{Meshes, ReadOptions, read, snapshot};
+//! use scene::{MeshLoading, ReadOptions, read, snapshot};
 //! # let folder = tempfile::tempdir()?; let file = folder.path().join("crossing.toml");
 //! # std::fs::write(folder.path().join("sign.obj"), "v 0 0 1\nv 0 1 1\nv 0 1 2\nv 0 0 2\nf 1 2 3 4\n")?;
 //! std::fs::write(&file, r#"
@@ -44,8 +44,8 @@
 //!
 //! Read the rooms in this order; each uses only those before it. First come bodies from files, [`mesh`]
 //! (glTF, STL, OBJ, and assets of OpenMATERIAL 3D), and SUMO's recordings; `document` defines the content of
-//! a scene (`keys`), its faults (`faults`) and its typed values with their places (`section`); then come the
-//! rooms that read tables, and `read`, which calls them.
+//! a scene (`keys`), its faults (`diagnostics`) and its typed values with their places (`section`); then come
+//! the rooms that read tables, and `read`, which calls them.
 
 mod wording; // sentences about input, and where references may lead
 mod measured; // patterns and calibrations from files
@@ -62,7 +62,7 @@ pub mod traffic;
 mod motion; // poses in a frame
 mod read; // a scene file and all files that it names
 
-pub use bodies::{Painted, PaintedLine, painted_glb, street, vehicles};
+pub use bodies::{ColouredLine, ColouredMesh, coloured_glb, street, vehicles};
 pub use document::changes::Change;
 pub use document::errors::{MapAxis, Place, Position, Rule, SceneError, SceneErrors};
 pub use document::keys;
@@ -73,11 +73,13 @@ pub use measured::calibration::{CalibrationFileError, CalibrationRule};
 pub use measured::pattern_table::{PatternFileError, PatternRule};
 pub use mesh::{MeshError, MeshOptions, centred, read_mesh};
 pub use models::library::unknown_vehicle;
-pub use models::options::{Meshes, ReadOptions};
+pub use models::options::{MeshLoading, ReadOptions};
 pub use motion::{bodies_in_view, frame_view, snapshot, vehicles_in_view};
 pub use openmaterial::{OpenMaterialError, OpenMaterialFault, asset_materials};
 pub use radar::radars::radars;
-pub use read::{inputs, inputs_but_models, inputs_of_changed, material_map, read, read_changed, read_text};
+pub use read::{
+    inputs, inputs_of_changed, inputs_without_models, material_map, read, read_changed, read_text,
+};
 pub use recording::xml::XmlFault;
-pub use settings::said::{SaidPhysics, said_physics, told_physics};
-pub use wording::allowed::Allowed;
+pub use settings::physics_keys::{PhysicsKeys, physics_keys, physics_settings};
+pub use wording::allowed_range::AllowedRange;

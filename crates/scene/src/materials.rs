@@ -1,23 +1,23 @@
 //! `[materials]`, files of materials, and `[road]`: names of materials, and their properties.
 
-mod shelf;
+mod material_files;
 
+use crate::document::diagnostics::Diagnostics;
 use crate::document::entries::{layers, materials};
 use crate::document::errors::{Rule, SceneErrors};
-use crate::document::faults::Faults;
 use crate::document::keys::fidelity::{MATERIALS, TRANSMISSION};
 use crate::document::keys::materials::{
     BACKING, BACKSCATTER, COHERENT, GAMMA, Ground, LAYERS, MIRROR, Mirror, OPENMATERIAL, PERMITTIVITY,
     RMS_HEIGHT, ROAD, ROAD_SUBSTANCE, SUBSTANCE, THICKNESS,
 };
-use crate::document::keys::scene::{MATERIAL_FILE, OF_MATERIALS};
+use crate::document::keys::scene::{MATERIAL_FILE, MATERIALS_KEY};
 use crate::document::section::Section;
-use crate::document::text::{at_no_place, read_text};
-use crate::materials::shelf::Shelf;
+use crate::document::text::{read_text, without_position};
+use crate::materials::material_files::MaterialFiles;
 use crate::models::library::Models;
-use crate::openmaterial::KnownMaterial;
-use crate::wording::allowed::Allowed;
-use crate::wording::likeness::nearest;
+use crate::openmaterial::MaterialProperties;
+use crate::wording::allowed_range::AllowedRange;
+use crate::wording::similarity::nearest;
 use artifact::material::{Layer, Material, MaterialMap, Road, Thickness, Transmission};
 use artifact::permittivity::{SUBSTANCES, Substance, substance};
 use artifact::radar::Radar;
@@ -34,19 +34,19 @@ use std::path::Path;
 /// Every broken rule with line and column; `is_system` indicates a missing or unreadable file.
 pub fn read_materials(path: &Path, frequency_hz: f64) -> Result<MaterialMap, SceneErrors> {
     let folder = path.parent().unwrap_or(Path::new(""));
-    let by_name = of_file(path, &Shelf::new(folder, frequency_hz))?;
+    let by_name = of_file(path, &MaterialFiles::new(folder, frequency_hz))?;
     Ok(MaterialMap { by_name, transmission: Transmission::Ignored })
 }
 
-fn of_file(path: &Path, shelf: &Shelf) -> Result<Vec<(String, Material)>, SceneErrors> {
-    let text = read_text(path).map_err(|rule| at_no_place(path, rule))?;
-    let faults = Faults::new(path, &text);
-    let document = faults.document();
-    let root = Section::root(&document, &MATERIAL_FILE, &faults);
-    root.require(OF_MATERIALS.name);
-    let by_name = by_name(&root, shelf);
+fn of_file(path: &Path, files: &MaterialFiles) -> Result<Vec<(String, Material)>, SceneErrors> {
+    let text = read_text(path).map_err(|rule| without_position(path, rule))?;
+    let diagnostics = Diagnostics::new(path, &text);
+    let document = diagnostics.document();
+    let root = Section::root(&document, &MATERIAL_FILE, &diagnostics);
+    root.require(MATERIALS_KEY.name);
+    let by_name = by_name(&root, files);
     drop(root);
-    faults.into_errors().map(|()| by_name)
+    diagnostics.into_errors().map(|()| by_name)
 }
 
 /// Reads a scene's materials, from a table of its own or a file, and whether waves pass through them.
@@ -59,16 +59,16 @@ pub(crate) fn read_scene_materials(
     let transmission = fidelity.or_default(&TRANSMISSION);
     let frequency_hz = radar.waveform.centre_frequency_hz();
     let by_name = match fidelity.read(&MATERIALS) {
-        Some(_) if root.has(OF_MATERIALS.name) => {
+        Some(_) if root.has(MATERIALS_KEY.name) => {
             let key = MATERIALS.name;
             fidelity.note(key, Rule::Contradiction { key, other: "[materials]" });
             vec![]
         }
         Some(written) => from_file(fidelity, written, frequency_hz, models),
         None => {
-            let shelf = Shelf::new(&models.folder(), frequency_hz);
-            let by_name = by_name(root, &shelf);
-            models.depend_on(shelf.into_files());
+            let files = MaterialFiles::new(&models.folder(), frequency_hz);
+            let by_name = by_name(root, &files);
+            models.add_inputs(files.into_files());
             by_name
         }
     };
@@ -81,20 +81,20 @@ fn from_file(
     frequency_hz: f64,
     models: &mut Models,
 ) -> Vec<(String, Material)> {
-    let path = models.file_beside(written);
-    let shelf = Shelf::new(path.parent().unwrap_or(Path::new("")), frequency_hz);
-    let by_name = of_file(&path, &shelf);
-    models.depend_on(shelf.into_files());
+    let path = models.add_input(written);
+    let files = MaterialFiles::new(path.parent().unwrap_or(Path::new("")), frequency_hz);
+    let by_name = of_file(&path, &files);
+    models.add_inputs(files.into_files());
     by_name.unwrap_or_else(|errors| {
         fidelity.note(MATERIALS.name, Rule::Materials(errors));
         vec![]
     })
 }
 
-fn by_name(root: &Section<'_>, shelf: &Shelf) -> Vec<(String, Material)> {
+fn by_name(root: &Section<'_>, files: &MaterialFiles) -> Vec<(String, Material)> {
     materials(root)
         .iter()
-        .filter_map(|(name, section)| Some(((*name).to_owned(), read_material(section, shelf)?)))
+        .filter_map(|(name, section)| Some(((*name).to_owned(), read_material(section, files)?)))
         .collect()
 }
 
@@ -109,13 +109,13 @@ pub(crate) fn read_road(
     if !section.exists() {
         return (None, None);
     }
-    let shelf = Shelf::new(&models.folder(), radar.waveform.centre_frequency_hz());
-    let mirror = read_mirror(&section, &shelf);
-    models.depend_on(shelf.into_files());
+    let files = MaterialFiles::new(&models.folder(), radar.waveform.centre_frequency_hz());
+    let mirror = read_mirror(&section, &files);
+    models.add_inputs(files.into_files());
     (mirror, read_backscatter(&section, radar, echo))
 }
 
-fn read_mirror(section: &Section<'_>, shelf: &Shelf) -> Option<Road> {
+fn read_mirror(section: &Section<'_>, files: &MaterialFiles) -> Option<Road> {
     if section.or_default(&MIRROR) == Mirror::Off {
         let of_mirrors = [SUBSTANCE.name, PERMITTIVITY.name, OPENMATERIAL.name, RMS_HEIGHT.name];
         for key in of_mirrors.into_iter().filter(|key| section.has(key)) {
@@ -125,22 +125,22 @@ fn read_mirror(section: &Section<'_>, shelf: &Shelf) -> Option<Road> {
     }
     let named = SOURCES.iter().any(|key| section.has(key));
     let of_asphalt = || substance(ROAD_SUBSTANCE.absent.0).and_then(|asphalt| asphalt.permittivity);
-    let smooth = |permittivity| KnownMaterial { permittivity, rms_height_m: None };
-    let known = if named { read_substance(section, shelf)? } else { smooth(of_asphalt()) };
+    let smooth = |permittivity| MaterialProperties { permittivity, rms_height_m: None };
+    let known = if named { read_substance(section, files)? } else { smooth(of_asphalt()) };
     let told_m = known.rms_height_m.filter(|_| !section.has(RMS_HEIGHT.name));
     let rms_height_m = match told_m {
-        Some(told_m) => checked_height_m(section, shelf, told_m)?,
+        Some(told_m) => checked_height_m(section, files, told_m)?,
         None => 1e-3 * section.or_default(&RMS_HEIGHT),
     };
     Some(Road { material: known.filled(), rms_height_m })
 }
 
 /// The height from a file, if `rms_height_mm` may have that value.
-fn checked_height_m(section: &Section<'_>, shelf: &Shelf, told_m: f64) -> Option<f64> {
-    let Allowed::Between(least_mm, most_mm) = RMS_HEIGHT.takes.0 else { return Some(told_m) };
-    let allowed = Allowed::Between(1e-3 * least_mm, 1e-3 * most_mm);
+fn checked_height_m(section: &Section<'_>, files: &MaterialFiles, told_m: f64) -> Option<f64> {
+    let AllowedRange::Between(least_mm, most_mm) = RMS_HEIGHT.takes.0 else { return Some(told_m) };
+    let allowed = AllowedRange::Between(1e-3 * least_mm, 1e-3 * most_mm);
     if !allowed.holds(told_m) {
-        let error = shelf.too_rough(section.read(&OPENMATERIAL)?, told_m, allowed);
+        let error = files.too_rough(section.read(&OPENMATERIAL)?, told_m, allowed);
         section.note(OPENMATERIAL.name, Rule::OpenMaterial(Box::new(error)));
     }
     allowed.holds(told_m).then_some(told_m)
@@ -171,8 +171,8 @@ fn read_backscatter(section: &Section<'_>, radar: &Radar, echo: EchoMode) -> Opt
     Some(Backscatter { gamma: power_from_db(gamma_db) })
 }
 
-fn read_material(section: &Section<'_>, shelf: &Shelf) -> Option<Material> {
-    let layers = if section.has(LAYERS.name) { stacked(section, shelf)? } else { single(section, shelf)? };
+fn read_material(section: &Section<'_>, files: &MaterialFiles) -> Option<Material> {
+    let layers = if section.has(LAYERS.name) { stacked(section, files)? } else { single(section, files)? };
     let backing = section.or_default(&BACKING);
     let thickness = if section.or_default(&COHERENT) { Thickness::Exact } else { Thickness::Averaged };
     match layers {
@@ -195,18 +195,18 @@ enum Composition {
     Layered(Vec<Layer>),
 }
 
-fn stacked(section: &Section<'_>, shelf: &Shelf) -> Option<Composition> {
+fn stacked(section: &Section<'_>, files: &MaterialFiles) -> Option<Composition> {
     let of_one = SOURCES.into_iter().chain([THICKNESS.name]);
     if let Some(key) = of_one.into_iter().find(|key| section.has(key)) {
         section.note(key, Rule::Contradiction { key, other: LAYERS.name });
         return None;
     }
-    let read: Option<Vec<Layer>> = layers(section)?.iter().map(|layer| read_layer(layer, shelf)).collect();
+    let read: Option<Vec<Layer>> = layers(section)?.iter().map(|layer| read_layer(layer, files)).collect();
     read.map(Composition::Layered)
 }
 
-fn single(section: &Section<'_>, shelf: &Shelf) -> Option<Composition> {
-    let permittivity = read_substance(section, shelf)?.permittivity;
+fn single(section: &Section<'_>, files: &MaterialFiles) -> Option<Composition> {
+    let permittivity = read_substance(section, files)?.permittivity;
     if !section.has(THICKNESS.name) {
         return Some(Composition::Filled(permittivity));
     }
@@ -220,9 +220,9 @@ fn single(section: &Section<'_>, shelf: &Shelf) -> Option<Composition> {
     }
 }
 
-fn read_layer(section: &Section<'_>, shelf: &Shelf) -> Option<Layer> {
+fn read_layer(section: &Section<'_>, files: &MaterialFiles) -> Option<Layer> {
     section.require(THICKNESS.name);
-    let permittivity = read_substance(section, shelf)?.permittivity;
+    let permittivity = read_substance(section, files)?.permittivity;
     let thickness_m = read_thickness_m(section)?;
     if permittivity.is_none() {
         let key = if section.has(OPENMATERIAL.name) { OPENMATERIAL.name } else { SUBSTANCE.name };
@@ -240,8 +240,8 @@ const SOURCES: [&str; 3] = [SUBSTANCE.name, PERMITTIVITY.name, OPENMATERIAL.name
 
 /// Reads a composition: from the table of substances, a number, or a file. Notes a fault and returns `None`
 /// if it is wrong.
-fn read_substance(section: &Section<'_>, shelf: &Shelf) -> Option<KnownMaterial> {
-    let smooth = |permittivity| KnownMaterial { permittivity, rms_height_m: None };
+fn read_substance(section: &Section<'_>, files: &MaterialFiles) -> Option<MaterialProperties> {
+    let smooth = |permittivity| MaterialProperties { permittivity, rms_height_m: None };
     let said: Vec<&'static str> = SOURCES.into_iter().filter(|key| section.has(key)).collect();
     match said[..] {
         [] => {
@@ -251,7 +251,7 @@ fn read_substance(section: &Section<'_>, shelf: &Shelf) -> Option<KnownMaterial>
         [key] if key == PERMITTIVITY.name => read_permittivity(section).map(|told| smooth(Some(told))),
         [key] if key == OPENMATERIAL.name => {
             let at_fault = |error| section.note(key, Rule::OpenMaterial(Box::new(error)));
-            shelf.material(section.read(&OPENMATERIAL)?).map_err(at_fault).ok()
+            files.material(section.read(&OPENMATERIAL)?).map_err(at_fault).ok()
         }
         [_] => of_table(section).map(|known| smooth(known.permittivity)),
         [other, key, ..] => {

@@ -2,5 +2,5 @@
 
 pub(crate) mod options;
 pub(crate) mod nearest_in_size;
-pub(crate) mod street_piece;
+pub(crate) mod street_furniture;
 pub(crate) mod library;

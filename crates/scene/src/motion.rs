@@ -1,6 +1,6 @@
 //! Motion: constant acceleration and yaw rate of targets, recorded poses of traffic.
 
-use artifact::scene::{Placed, Role, SceneFrame, SceneHeader, Target, Vehicle};
+use artifact::scene::{Role, SceneFrame, SceneHeader, Target, Vehicle, VehiclePose};
 use radar::motion::pose_after;
 
 /// Poses at the first sample of frame `frame_index`: the scene's targets, then the vehicles in view.
@@ -13,11 +13,11 @@ pub fn snapshot(scene: &SceneHeader, frame_index: u32) -> SceneFrame {
 
 /// Vehicles in view of a frame, at its first sample; none without traffic. A recording has a pose for each
 /// cycle of sub-frames.
-fn placed(scene: &SceneHeader, frame_index: u32) -> impl Iterator<Item = Placed> {
+fn placed(scene: &SceneHeader, frame_index: u32) -> impl Iterator<Item = VehiclePose> {
     let cycle = (frame_index / scene.radar.schedule.sub_frames()) as usize;
     let later_s = scene.radar.sub_frame_start_s(frame_index);
     let recorded = scene.traffic.iter().flat_map(move |traffic| traffic.frames.get(cycle)).flatten();
-    recorded.map(move |placed| Placed { pose: pose_after(&placed.pose, later_s), ..*placed })
+    recorded.map(move |placed| VehiclePose { pose: pose_after(&placed.pose, later_s), ..*placed })
 }
 
 /// The vehicles in view of a frame, in the order of the snapshot's poses, after those of the targets.

@@ -3,16 +3,16 @@
 
 mod error;
 mod node;
-mod library;
+mod file_reader;
 mod asset;
 mod mapping;
 mod table;
 mod material;
-mod of_asset;
+mod asset_materials;
 
 pub(crate) use asset::model_of;
+pub use asset_materials::asset_materials;
+pub(crate) use asset_materials::files_of_asset;
 pub use error::{OpenMaterialError, OpenMaterialFault};
-pub(crate) use library::Library;
-pub(crate) use material::{KnownMaterial, material_at};
-pub use of_asset::asset_materials;
-pub(crate) use of_asset::files_of_asset;
+pub(crate) use file_reader::FileReader;
+pub(crate) use material::{MaterialProperties, material_at};

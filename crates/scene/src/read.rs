@@ -1,20 +1,20 @@
 //! Reads a scene file and the meshes that it names; every broken rule is reported, not only the first.
 
 use crate::document::changes::{self, Change};
+use crate::document::diagnostics::Diagnostics;
 use crate::document::errors::SceneErrors;
-use crate::document::faults::Faults;
 use crate::document::keys::fidelity::FIDELITY;
 use crate::document::keys::radar::RADAR;
 use crate::document::keys::scene::{SCENE, SEED};
 use crate::document::section::Section;
-use crate::document::text::{at_no_place, read_text as text_of};
+use crate::document::text::{read_text as text_of, without_position};
 use crate::materials::{read_road, read_scene_materials};
 use crate::models::library::Models;
-use crate::models::options::{Meshes, ReadOptions};
+use crate::models::options::{MeshLoading, ReadOptions};
 use crate::radar::radars::{self, read_name};
 use crate::radar::read_radar::{read_frames, read_radar};
 use crate::settings::{
-    check_beside_road, read_dsp, read_fidelity, read_intersection, read_noise, read_own_road,
+    check_with_road, read_dsp, read_fidelity, read_intersection, read_noise, read_own_road,
 };
 use crate::targets::target::read_targets;
 use crate::traffic::read_traffic;
@@ -73,14 +73,14 @@ pub fn inputs_of_changed(
     changes: &[Change],
     options: &ReadOptions,
 ) -> Result<Vec<PathBuf>, SceneErrors> {
-    let names_only = ReadOptions { meshes: Meshes::NamesOnly, ..options.clone() };
+    let names_only = ReadOptions { meshes: MeshLoading::NamesOnly, ..options.clone() };
     let files = read_with_models(path, changes, &names_only)
         .map(|(_, models)| std::iter::once(path.to_owned()).chain(models.files()).collect::<Vec<_>>());
     match files {
         Ok(files) if files.iter().all(|file| file.is_file()) => Ok(files),
         incomplete => match options.meshes {
-            Meshes::Whole => read_changed(path, changes, options).and(incomplete),
-            Meshes::NamesOnly => incomplete,
+            MeshLoading::Whole => read_changed(path, changes, options).and(incomplete),
+            MeshLoading::NamesOnly => incomplete,
         },
     }
 }
@@ -90,7 +90,7 @@ pub fn inputs_of_changed(
 /// # Errors
 /// Those of [`read`].
 pub fn material_map(path: &Path, radar: Option<&str>) -> Result<MaterialMap, SceneErrors> {
-    read_but_models(path, &[], radar).map(|(_, models)| models.materials().clone())
+    read_without_models(path, &[], radar).map(|(_, models)| models.materials().clone())
 }
 
 /// The files that [`read_changed`] opens without models, the scene first: patterns, calibrations, materials
@@ -98,21 +98,22 @@ pub fn material_map(path: &Path, radar: Option<&str>) -> Result<MaterialMap, Sce
 ///
 /// # Errors
 /// Those of [`read_changed`].
-pub fn inputs_but_models(
+pub fn inputs_without_models(
     path: &Path,
     changes: &[Change],
     radar: Option<&str>,
 ) -> Result<Vec<PathBuf>, SceneErrors> {
-    let (_, models) = read_but_models(path, changes, radar)?;
-    Ok(std::iter::once(path.to_owned()).chain(models.files_beside().cloned()).collect())
+    let (_, models) = read_without_models(path, changes, radar)?;
+    Ok(std::iter::once(path.to_owned()).chain(models.other_inputs().cloned()).collect())
 }
 
-fn read_but_models(
+fn read_without_models(
     path: &Path,
     changes: &[Change],
     radar: Option<&str>,
 ) -> Result<(SceneHeader, Models), SceneErrors> {
-    let options = ReadOptions { model: None, radar: radar.map(str::to_owned), meshes: Meshes::NamesOnly };
+    let options =
+        ReadOptions { model: None, radar: radar.map(str::to_owned), meshes: MeshLoading::NamesOnly };
     read_with_models(path, changes, &options)
 }
 
@@ -121,7 +122,7 @@ fn read_with_models(
     changes: &[Change],
     options: &ReadOptions,
 ) -> Result<(SceneHeader, Models), SceneErrors> {
-    let text = text_of(path).map_err(|rule| at_no_place(path, rule))?;
+    let text = text_of(path).map_err(|rule| without_position(path, rule))?;
     of_text((path, &text), changes, options)
 }
 
@@ -130,18 +131,18 @@ fn of_text(
     changes: &[Change],
     options: &ReadOptions,
 ) -> Result<(SceneHeader, Models), SceneErrors> {
-    let faults = Faults::new(path, text);
-    let mut document = faults.document();
+    let diagnostics = Diagnostics::new(path, text);
+    let mut document = diagnostics.document();
     let folder = path.parent().unwrap_or(Path::new(""));
     let mut models = Models::new(folder, options);
     let asked = options.radar.as_deref();
-    changes::make(&mut document, changes, &faults);
-    let document = radars::through(&document, asked);
-    let root = Section::root(&document, &SCENE, &faults);
+    changes::apply(&mut document, changes, &diagnostics);
+    let document = radars::select_radar(&document, asked);
+    let root = Section::root(&document, &SCENE, &diagnostics);
     let name = read_name(&root, asked);
     let header = SceneHeader { name, ..read_header(&root, &mut models) };
     drop(root);
-    faults.into_errors().map(|()| (header, models))
+    diagnostics.into_errors().map(|()| (header, models))
 }
 
 fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
@@ -152,7 +153,7 @@ fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
     // Opened once, because opening notes its unknown keys.
     let fidelity_section = root.section(&FIDELITY);
     let materials = read_scene_materials(root, &fidelity_section, &radar, models);
-    models.dress_in(&materials, radar.waveform.centre_frequency_hz());
+    models.set_materials(&materials, radar.waveform.centre_frequency_hz());
     let fidelity = read_fidelity(&fidelity_section);
     let targets = read_targets(root, &radar, (&lanes, fidelity.echo), models);
     let recording = read_traffic(root, &radar, frame_interval_s, models);
@@ -167,7 +168,7 @@ fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
     let frames = traffic.as_ref().map_or(frames, |traffic| (traffic.frames.len() as u32).max(1) * sub_frames);
     let (road, backscatter) = read_road(root, &radar, fidelity.echo, models);
     if road.is_some() {
-        check_beside_road(&fidelity_section, &fidelity);
+        check_with_road(&fidelity_section, &fidelity);
     }
     SceneHeader {
         name: String::new(),

@@ -3,10 +3,10 @@
 pub(crate) mod xml;
 mod step_order;
 pub mod fcd;
-#[cfg_attr(not(feature = "interchange"), path = "recording/no_trace.rs")]
+#[cfg_attr(not(feature = "interchange"), path = "recording/trace_unavailable.rs")]
 pub(crate) mod trace;
 pub mod interpolation;
-pub(crate) mod driven;
-pub(crate) mod clock;
-pub(crate) mod in_view;
+pub(crate) mod odometer;
+pub(crate) mod frame_clock;
+pub(crate) mod field_of_view;
 pub mod net;

@@ -1,14 +1,14 @@
 //! `[noise]`, `[dsp]`, `[fidelity]` and `[intersection]`.
 
-pub(crate) mod said; // physics that a file specifies
+pub(crate) mod physics_keys; // physics that a file specifies
 
 use crate::document::errors::{MapAxis, Rule};
 use crate::document::keys::fidelity::{
     ACCURACY, BETWEEN_BODIES, BOUNCES, DETAIL, ECHO, EDGES, FOR, MEASURED_EVERY, NODES, PLAN, SIDES, SURFACE,
     WHEELS,
 };
-use crate::document::keys::key::{Key, Or};
-use crate::document::keys::kinds::Counts;
+use crate::document::keys::key::{DefaultValue, Key};
+use crate::document::keys::kinds::IntegerVector;
 use crate::document::keys::lanes::{
     CROSSING_WIDTH, INTERSECTION, LANE_AZIMUTH, LANE_CENTRES, LANE_ORIGIN, LANE_WIDTH, RADAR_INTERSECTION,
 };
@@ -17,7 +17,7 @@ use crate::document::keys::processing::{
     DOPPLER_WINDOW, DSP, FALSE_ALARM_RATE, GUARD_CELLS, NEAREST, NOISE, NOISE_FIGURE, RANGE_WINDOW, REFINE,
     SNR, STATIC, TEMPERATURE, TRAINING_CELLS,
 };
-use crate::document::keys::scene::OF_TRAFFIC;
+use crate::document::keys::scene::TRAFFIC_KEY;
 use crate::document::section::Section;
 use crate::measured::calibration::read_calibration;
 use crate::models::library::Models;
@@ -83,7 +83,7 @@ pub(crate) fn read_dsp(root: &Section<'_>, radar: &Radar, road: Lanes, models: &
 }
 
 fn read_factors(section: &Section<'_>, radar: &Radar, models: &mut Models) -> Option<Vec<Complex64>> {
-    let file = models.file_beside(section.read(&CALIBRATION)?);
+    let file = models.add_input(section.read(&CALIBRATION)?);
     let elements = [radar.array.tx_m.len(), radar.array.rx_m.len()];
     read_calibration(&file, elements)
         .map_err(|error| section.note(CALIBRATION.name, Rule::Calibration(error)))
@@ -93,7 +93,9 @@ fn read_factors(section: &Section<'_>, radar: &Radar, models: &mut Models) -> Op
 /// Guard and training cells, each [doppler, range]; defaults as far as the map can hold them: a map of few
 /// chirps is no error, and if it holds only the guard, one cell of it becomes a training cell.
 fn read_window(section: &Section<'_>, map: [u32; 2]) -> [[u32; 2]; 2] {
-    let read = |key: &Key<Counts<2>, Or<[u64; 2]>>| section.read(key).map(|cells| cells.map(|n| n as u32));
+    let read = |key: &Key<IntegerVector<2>, DefaultValue<[u64; 2]>>| {
+        section.read(key).map(|cells| cells.map(|n| n as u32))
+    };
     let (guard, training) = (read(&GUARD_CELLS), read(&TRAINING_CELLS));
     let fitting = |default: [u64; 2], inner: [u32; 2]| -> [u32; 2] {
         let room = |axis: usize| (map[axis].saturating_sub(1) / 2).saturating_sub(inner[axis]);
@@ -125,7 +127,7 @@ pub(crate) fn read_fidelity(section: &Section<'_>) -> Fidelity {
     let (accuracy, goal) = read_accuracy(section);
     let (echo, wheels) = (section.or_default(&ECHO), section.or_default(&WHEELS));
     check_wheels(section, wheels, echo);
-    // Checked here; `said.rs` reads from the file itself, before the choice, who chooses.
+    // Checked here; `physics_keys.rs` reads from the file itself, before the choice, who chooses.
     let _ = section.or_default(&PLAN);
     Fidelity {
         accuracy,
@@ -152,7 +154,7 @@ fn check_wheels(section: &Section<'_>, wheels: Wheels, echo: EchoMode) {
 
 /// Refuses settings that do not go with a reflecting road: its images light both sides of facets, and tables
 /// treat bodies alone.
-pub(crate) fn check_beside_road(section: &Section<'_>, fidelity: &Fidelity) {
+pub(crate) fn check_with_road(section: &Section<'_>, fidelity: &Fidelity) {
     let excluded = |key: &'static str| section.note(key, Rule::Contradiction { key, other: "[road]" });
     if fidelity.sides == Sides::One {
         excluded(SIDES.name);
@@ -175,7 +177,7 @@ fn read_accuracy(section: &Section<'_>) -> (Accuracy, Option<Goal>) {
 /// which has its own road. Without lanes the road runs along the radar's boresight.
 pub(crate) fn read_intersection(root: &Section<'_>, radar: &Radar) -> (Intersection, Lanes) {
     let section = root.section(&INTERSECTION);
-    let is_table_1 = section.exists() || !root.has(OF_TRAFFIC.name);
+    let is_table_1 = section.exists() || !root.has(TRAFFIC_KEY.name);
     let lane =
         |(centre_m, number): (&f64, u8)| Lane { number, centre_m: *centre_m, width_m: LANE_WIDTH.absent.0 };
     let lanes = if is_table_1 { LANE_CENTRES.absent.0.iter().zip(1..).map(lane).collect() } else { vec![] };

@@ -12,27 +12,27 @@ pub use crate::recording::{fcd, interpolation, net};
 
 use crate::document::entries::{ModelChoice, model_choices};
 use crate::document::errors::Rule;
-use crate::document::keys::scene::{FRAMES, OF_INTERSECTION};
+use crate::document::keys::scene::{FRAMES, INTERSECTION_KEY};
 use crate::document::keys::traffic::{
     BEGIN, CLASS, END, FCD, MODEL, NET, OSI, TRAFFIC, VIEW_HALF_ANGLE, VIEW_NEAREST, VIEW_RANGE,
 };
 use crate::document::section::Section;
-use crate::models::library::{Chosen, Models};
+use crate::models::library::{ChosenModel, Models};
 use crate::models::nearest_in_size::nearest_in_size;
-use crate::recording::clock::{Clock, Times};
-use crate::recording::driven::Driven;
 use crate::recording::fcd::{FcdError, FcdRule, FcdVehicle, UnknownType};
-use crate::recording::in_view::View;
+use crate::recording::field_of_view::FieldOfView;
+use crate::recording::frame_clock::{FrameClock, FrameTimes};
 use crate::recording::interpolation::Interval;
 use crate::recording::net::read_net;
+use crate::recording::odometer::Odometer;
 use crate::recording::trace::type_names;
-use crate::wording::likeness::nearest;
+use crate::wording::similarity::nearest;
 use artifact::radar::Radar;
-use artifact::scene::{Placed, Target, TargetKind, Traffic, Vehicle};
+use artifact::scene::{Target, TargetKind, Traffic, Vehicle, VehiclePose};
 use artifact::seed;
-use artifact::settings::{Class, Course};
+use artifact::settings::{Class, NetworkLane};
 use glam::DVec2;
-use osi_types::{StandIn, stand_in_of, with_stand_in};
+use osi_types::{StandIn, stand_in_of, types_with_stand_in};
 use radar::aperture::horizontal;
 use source::{Source, StepReader};
 use std::collections::{BTreeSet, HashMap, HashSet};
@@ -63,15 +63,15 @@ pub(crate) struct Recording<'d> {
     by_size: HashMap<&'static str, PlacedModel>,
     unknown: Vec<UnknownType>,
     /// Types of the recording that are named in `models`.
-    met: HashSet<String>,
+    used_types: HashSet<String>,
     /// Types without an entry in `models` that use their default model, each with its first vehicle.
     by_default: Vec<UnknownType>,
-    times: Times,
-    view: View,
+    times: FrameTimes,
+    view: FieldOfView,
 }
 
 /// Largest number of reported unknown types; in a recording with more, none is known.
-const UNKNOWN_TOLD: usize = 100;
+const MOST_UNKNOWN_TYPES: usize = 100;
 
 /// Largest number of poses in view: three gibibytes.
 const POSE_LIMIT: usize = 1 << 25;
@@ -108,7 +108,7 @@ pub(crate) fn read_traffic<'d>(
         models: of_types,
         by_size: HashMap::new(),
         unknown: vec![],
-        met: HashSet::new(),
+        used_types: HashSet::new(),
         by_default: vec![],
         times,
         view,
@@ -122,18 +122,18 @@ fn read_source(section: &Section<'_>, models: &mut Models) -> Option<Source> {
         return None;
     }
     if let Some(written) = section.read(&OSI) {
-        return Some(Source::Osi(models.recording_beside(written)));
+        return Some(Source::Osi(models.add_recording(written)));
     }
     if !section.has(OSI.name) {
         section.require(FCD.name);
     }
-    section.read(&FCD).map(|written| Source::Fcd(models.recording_beside(written)))
+    section.read(&FCD).map(|written| Source::Fcd(models.add_recording(written)))
 }
 
 /// Reads the radar's view; the default is the range up to which a complex beat frequency does not fold, and
 /// the half plane before the array.
-fn read_view(section: &Section<'_>, radar: &Radar) -> View {
-    View {
+fn read_view(section: &Section<'_>, radar: &Radar) -> FieldOfView {
+    FieldOfView {
         foot_m: DVec2::new(radar.position_m[0], radar.position_m[1]),
         boresight: horizontal(radar.boresight_az_rad).into(),
         nearest_m: section.or_default(&VIEW_NEAREST),
@@ -142,7 +142,7 @@ fn read_view(section: &Section<'_>, radar: &Radar) -> View {
     }
 }
 
-fn read_times(root: &Section<'_>, section: &Section<'_>, interval_s: f64) -> Times {
+fn read_times(root: &Section<'_>, section: &Section<'_>, interval_s: f64) -> FrameTimes {
     let (begin_s, end_s) = (section.read(&BEGIN), section.read(&END));
     if let (Some(begin_s), Some(end_s)) = (begin_s, end_s)
         && end_s < begin_s
@@ -150,7 +150,7 @@ fn read_times(root: &Section<'_>, section: &Section<'_>, interval_s: f64) -> Tim
         section.note(END.name, Rule::EndsBeforeItBegins { begin_s, end_s });
     }
     let frames = root.has(FRAMES.name).then(|| root.or_default(&FRAMES) as u32);
-    Times { frames, interval_s, begin_s, end_s }
+    FrameTimes { frames, interval_s, begin_s, end_s }
 }
 
 /// Models by the recording's names of types.
@@ -163,7 +163,7 @@ fn models_of_types(
     for choice in model_choices(section) {
         let found = choice.kind.to_owned();
         let placed = models_of_type(&choice, models);
-        let told = source.map_or_else(|| Some(found.clone()), |source| source.type_told_as(&found));
+        let told = source.map_or_else(|| Some(found.clone()), |source| source.canonical_type_name(&found));
         let Some(told) = told else {
             let known: Vec<&'static str> = type_names().collect();
             let rule = Rule::UnknownObjectType { nearest: nearest(&found, &known), found };
@@ -181,13 +181,13 @@ fn models_of_types(
 fn models_of_type(choice: &ModelChoice<'_>, models: &mut Models) -> Vec<PlacedModel> {
     let class = choice.section.read(&CLASS);
     let chosen = choice.names.iter().filter_map(|name| models.choose_written(&choice.section, name));
-    let chosen: Vec<Chosen> = chosen.collect();
+    let chosen: Vec<ChosenModel> = chosen.collect();
     chosen.into_iter().map(|chosen| PlacedModel::of(chosen, class, models)).collect()
 }
 
 impl PlacedModel {
-    fn of(chosen: Chosen, class: Option<Class>, models: &Models) -> Self {
-        let Chosen { name, mesh, class: own } = chosen;
+    fn of(chosen: ChosenModel, class: Option<Class>, models: &Models) -> Self {
+        let ChosenModel { name, mesh, class: own } = chosen;
         let vertices = || models.meshes().get(mesh as usize).into_iter().flat_map(|mesh| &mesh.vertices_m);
         Self {
             kind: TargetKind::Mesh { class: class.or(own), model: name, mesh },
@@ -200,10 +200,10 @@ impl PlacedModel {
 impl Recording<'_> {
     /// Reads the lanes of the network named by `net`; faults are noted. `roads`: tables that may specify
     /// lanes themselves.
-    pub(crate) fn lanes(&self, roads: [&Section<'_>; 2], models: &mut Models) -> Vec<Course> {
+    pub(crate) fn lanes(&self, roads: [&Section<'_>; 2], models: &mut Models) -> Vec<NetworkLane> {
         let Some(written) = self.section.read(&NET) else { return vec![] };
-        let file = models.file_beside(written);
-        if roads.iter().any(|table| table.has(OF_INTERSECTION.name)) {
+        let file = models.add_input(written);
+        if roads.iter().any(|table| table.has(INTERSECTION_KEY.name)) {
             self.section.note(NET.name, Rule::Contradiction { key: NET.name, other: "[intersection]" });
         }
         read_net(&file, &self.view).unwrap_or_else(|error| {
@@ -227,17 +227,18 @@ impl Recording<'_> {
 
     fn read(&mut self, models: &mut Models, targets: &[Target]) -> Result<Traffic, FcdError> {
         let mut reader = self.source.open()?;
-        let (mut cast, mut interval, mut clock) = (Cast::new(targets), Interval::default(), None);
-        let mut driven = Driven::default();
+        let (mut visible, mut interval, mut clock) =
+            (VisibleVehicles::new(targets), Interval::default(), None);
+        let mut odometer = Odometer::default();
         while let Some(step) = reader.next_step()? {
-            let clock = clock.get_or_insert_with(|| Clock::of(self.times, step.time_s));
+            let clock = clock.get_or_insert_with(|| FrameClock::of(self.times, step.time_s));
             let line = step.line;
             interval.advance(step);
-            driven.take(&interval);
+            odometer.add(&interval);
             while let Some(time_s) =
                 clock.frame_until(interval.end_s()).map_err(|rule| reader.error_at(line, rule))?
             {
-                let kept = self.keep_frame(&mut cast, models, (&reader, &interval), time_s);
+                let kept = self.keep_frame(&mut visible, models, (&reader, &interval), time_s);
                 kept.map_err(|(line, rule)| reader.error_at(line, rule))?;
             }
             if clock.is_complete() {
@@ -247,20 +248,20 @@ impl Recording<'_> {
         if let Some(first) = self.unknown.first() {
             return Err(reader.error_at(first.line, self.unknown_types()));
         }
-        if let Some((found, name)) = misspelt(&self.by_default, self.models.keys(), &self.met) {
+        if let Some((found, name)) = misspelt(&self.by_default, self.models.keys(), &self.used_types) {
             let (found, name) = (found.clone(), name.to_owned());
             return Err(reader.error_at(found.line, FcdRule::Misspelt { found, name }));
         }
-        driven.checked().map_err(|rule| reader.error_at(1, rule))?;
+        odometer.checked().map_err(|rule| reader.error_at(1, rule))?;
         let clock = clock.ok_or_else(|| reader.without_steps())?;
         clock.checked(interval.end_s()).map_err(|rule| reader.error_at(1, rule))?;
-        Ok(cast.traffic)
+        Ok(visible.traffic)
     }
 
     /// Keeps the vehicles in view at a time; an error has the line of the vehicle concerned.
     fn keep_frame(
         &mut self,
-        cast: &mut Cast<'_>,
+        visible: &mut VisibleVehicles<'_>,
         models: &mut Models,
         (reader, interval): (&StepReader, &Interval),
         time_s: f64,
@@ -268,21 +269,21 @@ impl Recording<'_> {
         let mut placed = vec![];
         for vehicle in interval.vehicles() {
             let Some(bumper) = interval.bumper(vehicle, time_s) else { continue };
-            let known = cast.model_of(vehicle).cloned();
+            let known = visible.model_of(vehicle).cloned();
             let drawn = || self.model_of(vehicle, reader.size_m(&vehicle.id), models);
             let Some(model) = known.or_else(drawn) else { continue };
             let pose = bumper.pose(self.reach_m(&model));
             let [x, y, _] = pose.position_m;
             if self.view.touches(DVec2::new(x, y), model.radius_m) {
-                let vehicle = cast.place_of(vehicle, &model).map_err(|rule| (vehicle.line, rule))?;
-                placed.push(Placed { vehicle, pose });
+                let vehicle = visible.place_of(vehicle, &model).map_err(|rule| (vehicle.line, rule))?;
+                placed.push(VehiclePose { vehicle, pose });
             }
         }
-        cast.poses += placed.len();
-        if cast.poses > POSE_LIMIT {
+        visible.poses += placed.len();
+        if visible.poses > POSE_LIMIT {
             return Err((interval.line(), FcdRule::TooManyPoses(POSE_LIMIT)));
         }
-        cast.traffic.frames.push(placed);
+        visible.traffic.frames.push(placed);
         Ok(())
     }
 
@@ -307,8 +308,8 @@ impl Recording<'_> {
                 Source::Osi(_) => return self.model_by_size(vehicle, size_m, models),
             }
         }
-        if !self.met.contains(name) {
-            self.met.insert(name.to_owned());
+        if !self.used_types.contains(name) {
+            self.used_types.insert(name.to_owned());
         }
         let Some(models) = self.models.get(name).filter(|models| !models.is_empty()) else {
             self.keep_unknown(vehicle);
@@ -335,7 +336,7 @@ impl Recording<'_> {
             Some(StandIn::NearestOf(classes, name)) => {
                 size_m.and_then(|size_m| nearest_in_size(classes, size_m)).unwrap_or(name)
             }
-            Some(StandIn::PassedOver) => return None,
+            Some(StandIn::Ignored) => return None,
             None => {
                 self.keep_unknown(vehicle);
                 return None;
@@ -363,7 +364,7 @@ impl Recording<'_> {
 
     fn keep_unknown(&mut self, vehicle: &FcdVehicle) {
         let is_kept = self.unknown.iter().any(|unknown| unknown.kind == vehicle.kind);
-        if self.unknown.len() < UNKNOWN_TOLD && !is_kept {
+        if self.unknown.len() < MOST_UNKNOWN_TYPES && !is_kept {
             self.unknown.push(unknown(vehicle));
         }
     }
@@ -372,7 +373,7 @@ impl Recording<'_> {
         let own = self.models.keys().map(String::as_str);
         let known: BTreeSet<&str> = match self.source {
             Source::Fcd(_) => own.chain(DEFAULT_MODELS.map(|(name, _)| name)).collect(),
-            Source::Osi(_) => own.chain(with_stand_in()).collect(),
+            Source::Osi(_) => own.chain(types_with_stand_in()).collect(),
         };
         let known = known.into_iter().map(str::to_owned).collect();
         FcdRule::UnknownTypes { found: std::mem::take(&mut self.unknown), known }
@@ -388,9 +389,10 @@ fn unknown(vehicle: &FcdVehicle) -> UnknownType {
 fn misspelt<'n>(
     by_default: &'n [UnknownType],
     names: impl Iterator<Item = &'n String>,
-    met: &HashSet<String>,
+    used_types: &HashSet<String>,
 ) -> Option<(&'n UnknownType, &'n str)> {
-    let idle: BTreeSet<&String> = names.filter(|name| name.len() >= 4 && !met.contains(*name)).collect();
+    let idle: BTreeSet<&String> =
+        names.filter(|name| name.len() >= 4 && !used_types.contains(*name)).collect();
     let letters = |text: &str| text.chars().filter(|c| !c.is_ascii_digit()).collect::<String>();
     let is_meant =
         |kind: &str, name: &str| strsim::osa_distance(name, kind) == 1 && letters(name) != letters(kind);
@@ -401,7 +403,7 @@ fn misspelt<'n>(
 }
 
 /// Vehicles that came into view.
-struct Cast<'a> {
+struct VisibleVehicles<'a> {
     /// Index and model by id: a vehicle whose type changes later keeps its model.
     known: HashMap<String, (u32, PlacedModel)>,
     ids_of_targets: HashSet<&'a str>,
@@ -410,7 +412,7 @@ struct Cast<'a> {
     traffic: Traffic,
 }
 
-impl<'a> Cast<'a> {
+impl<'a> VisibleVehicles<'a> {
     fn new(targets: &'a [Target]) -> Self {
         let ids_of_targets = targets.iter().map(|target| target.id.as_str()).collect();
         Self { known: HashMap::new(), ids_of_targets, poses: 0, traffic: Traffic::default() }

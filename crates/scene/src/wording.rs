@@ -2,7 +2,7 @@
 //! between files.
 
 pub(crate) mod number;
-pub(crate) mod allowed;
+pub(crate) mod allowed_range;
 pub(crate) mod excerpt;
-pub(crate) mod likeness;
+pub(crate) mod similarity;
 pub(crate) mod reference;

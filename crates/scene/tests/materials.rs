@@ -5,7 +5,7 @@
 use artifact::material::{Backing, Layer, Material, Road, Thickness, Transmission};
 use artifact::scene::{Backscatter, SceneHeader};
 use num_complex::Complex64;
-use scene::street::Piece;
+use scene::street::Furniture;
 use scene::{ReadOptions, read, read_materials};
 use std::path::{Path, PathBuf};
 
@@ -39,7 +39,7 @@ fn material_of(scene: &SceneHeader, name: &str) -> Material {
 #[test]
 fn a_scene_without_materials_and_road_is_all_conductor() {
     let scene = scene(&format!("name = \"s\"\n{TARGET}"));
-    assert!(scene.meshes[0].makeup.conducts_all_over() && scene.road.is_none());
+    assert!(scene.meshes[0].makeup.is_perfect_conductor() && scene.road.is_none());
     assert_eq!(scene.meshes[0].makeup.transmission, Transmission::Ignored);
 }
 
@@ -98,8 +98,9 @@ fn a_road_sends_back_of_itself_where_it_is_told_to_mirror_or_not() {
 fn the_map_of_the_own_vehicles_and_street_furniture_names_every_material_of_theirs() {
     let file = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/vehicles.materials.toml"));
     let map = read_materials(file, 77e9).unwrap();
-    let [pole, sign] = [Piece::Pole { height_m: 6.0, diameter_m: 0.1 }, Piece::Sign { height_m: 3.0 }];
-    let street = [pole, sign, Piece::GuardRail { length_m: 4.0 }, Piece::Kerb { length_m: 4.0 }];
+    let [pole, sign] =
+        [Furniture::Pole { height_m: 6.0, diameter_m: 0.1 }, Furniture::Sign { height_m: 3.0 }];
+    let street = [pole, sign, Furniture::GuardRail { length_m: 4.0 }, Furniture::Kerb { length_m: 4.0 }];
     let vehicles = scene::vehicles::NAMES.map(|name| scene::vehicles::mesh(name, 0).unwrap());
     for mesh in vehicles.into_iter().chain(street.iter().map(scene::street::mesh)) {
         for material in mesh.materials {

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test ends where it meets what it did not expect")]
 
 use artifact::scene::{SceneHeader, TargetKind};
-use scene::traffic::fcd::{FcdStep, FcdVehicle, ToldVelocity};
+use scene::traffic::fcd::{FcdStep, FcdVehicle, RecordedVelocity};
 use scene::traffic::interpolation::Interval;
 use scene::{ReadOptions, frame_view, snapshot};
 use std::fmt::Write as _;
@@ -44,7 +44,7 @@ fn vehicle([x, y]: [f64; 2], angle_deg: f64) -> FcdVehicle {
         kind,
         front_m: [x, y, 0.0],
         angle_deg,
-        velocity: ToldVelocity::Ahead { speed_mps: 10.0 },
+        velocity: RecordedVelocity::AlongHeading { speed_mps: 10.0 },
         line: 1,
     }
 }

@@ -10,8 +10,8 @@ use artifact::settings::Class;
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use glam::{DVec2, DVec3};
-use scene::traffic::fcd::{FcdReader, FcdStep, FcdVehicle, ToldVelocity};
-use scene::traffic::interpolation::{Interval, LANE_CHANGE_S, Step as Kind};
+use scene::traffic::fcd::{FcdReader, FcdStep, FcdVehicle, RecordedVelocity};
+use scene::traffic::interpolation::{Interval, LANE_CHANGE_S, StepKind as Kind};
 use scene::{ReadOptions, frame_view, snapshot};
 use std::fmt::Write as _;
 use std::io::{Read as _, Write as _};
@@ -299,8 +299,8 @@ fn velocity_is_the_derivative_of_position_in_turns_and_lane_changes() {
 #[test]
 fn a_velocity_told_whole_keeps_its_direction_and_one_that_is_not_told_is_that_of_the_way() {
     let drift = [1.0, -8.0, 0.5];
-    let still = ToldVelocity::Ahead { speed_mps: 0.0 };
-    let told = [ToldVelocity::Whole { velocity_mps: drift }, ToldVelocity::Nothing, still];
+    let still = RecordedVelocity::AlongHeading { speed_mps: 0.0 };
+    let told = [RecordedVelocity::Vector { velocity_mps: drift }, RecordedVelocity::Unknown, still];
     for (velocity, way_mps, expected) in [
         (told[0], drift, drift),
         (told[1], drift, drift),
@@ -324,7 +324,7 @@ fn a_velocity_told_whole_keeps_its_direction_and_one_that_is_not_told_is_that_of
 
 /// A car that drives towards −y.
 fn driving(front_m: [f64; 3], speed_mps: f64) -> FcdVehicle {
-    let velocity = ToldVelocity::Ahead { speed_mps };
+    let velocity = RecordedVelocity::AlongHeading { speed_mps };
     FcdVehicle { id: "a".into(), kind: "car".into(), front_m, angle_deg: 180.0, velocity, line: 1 }
 }
 

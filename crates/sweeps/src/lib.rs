@@ -10,8 +10,8 @@ mod metrics; // metrics of a run
 mod study; // the file, its designs and its situations
 mod runs; // a design in a situation, and its kept results
 mod answer; // the selected design
-mod rounds; // runs, round by round
-mod told; // tables, picture, report
+mod study_run; // runs, repeat by repeat
+mod outputs; // tables, picture, report
 mod sweep; // all of the above for one study
 
 pub use sweep::{Outcome, Settings, run};

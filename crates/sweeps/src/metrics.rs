@@ -1,6 +1,6 @@
 //! Metrics of a run in a study: shares, errors and costs, each a number or unknown.
 
-use crate::statistics::interval::{Mean, Scale, known};
+use crate::statistics::interval::{Mean, ValueRange, known};
 use artifact::radar::Radar;
 use artifact::settings::Class;
 use pipeline::outcome::summary::{Cause, Estimate, Predicted, Summary, TargetSummary};
@@ -26,38 +26,42 @@ impl Better {
 }
 
 /// Metrics of a study, in the order of its tables.
-pub(crate) struct Measures {
-    all: Vec<Measure>,
+pub(crate) struct Metrics {
+    all: Vec<Metric>,
 }
 
-struct Measure {
+struct Metric {
     name: String,
     better: Better,
-    scale: Scale,
-    of: Of,
+    scale: ValueRange,
+    of: MetricSource,
 }
 
 /// Source of a metric's value.
-enum Of {
+enum MetricSource {
     /// Summary of a run.
-    Run(Box<OfRun>),
+    Run(Box<RunMetric>),
     /// Radar of a design.
     Radar(fn(&Radar) -> f64),
 }
 
 /// Value of a metric in a run.
-type OfRun = dyn Fn(&Summary) -> Option<f64> + Send + Sync;
+type RunMetric = dyn Fn(&Summary) -> Option<f64> + Send + Sync;
 
-impl Measures {
+impl Metrics {
     /// The metrics, with detection rates in bands of range between these bounds, m.
     pub(crate) fn of(bounds_m: Vec<f64>) -> Self {
-        let all = found().chain(of_classes()).chain(of_bands(bounds_m)).chain(estimated()).chain(wrong());
+        let all = detection_rates()
+            .chain(class_rates())
+            .chain(range_band_rates(bounds_m))
+            .chain(estimation_errors())
+            .chain(false_detections());
         Self { all: all.chain(costs()).collect() }
     }
 
     /// Names of all metrics, in order.
     pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
-        self.all.iter().map(|measure| measure.name.as_str())
+        self.all.iter().map(|metric| metric.name.as_str())
     }
 
     /// Direction in which a metric is better, unless a study specifies it.
@@ -66,7 +70,7 @@ impl Measures {
     }
 
     /// Possible values of a metric.
-    pub(crate) fn scale(&self, metric: usize) -> Scale {
+    pub(crate) fn scale(&self, metric: usize) -> ValueRange {
         self.all[metric].scale
     }
 
@@ -77,28 +81,28 @@ impl Measures {
 
     /// All values of a run of a radar.
     pub(crate) fn values(&self, radar: &Radar, summary: &Summary) -> Vec<Option<f64>> {
-        let value = |measure: &Measure| match &measure.of {
-            Of::Run(of) => of(summary),
-            Of::Radar(of) => Some(of(radar)),
+        let value = |metric: &Metric| match &metric.of {
+            MetricSource::Run(of) => of(summary),
+            MetricSource::Radar(of) => Some(of(radar)),
         };
-        self.all.iter().map(|measure| value(measure).filter(|value| value.is_finite())).collect()
+        self.all.iter().map(|metric| value(metric).filter(|value| value.is_finite())).collect()
     }
 }
 
-fn measure(
+fn run_metric(
     name: impl Into<String>,
     better: Better,
     of: impl Fn(&Summary) -> Option<f64> + Send + Sync + 'static,
-) -> Measure {
-    Measure { name: name.into(), better, scale: Scale::Any, of: Of::Run(Box::new(of)) }
+) -> Metric {
+    Metric { name: name.into(), better, scale: ValueRange::Any, of: MetricSource::Run(Box::new(of)) }
 }
 
 /// A share for which more is better.
-fn rate(name: impl Into<String>, of: impl Fn(&Summary) -> Option<f64> + Send + Sync + 'static) -> Measure {
-    Measure { scale: Scale::SHARE, ..measure(name, Better::Higher, of) }
+fn rate(name: impl Into<String>, of: impl Fn(&Summary) -> Option<f64> + Send + Sync + 'static) -> Metric {
+    Metric { scale: ValueRange::SHARE, ..run_metric(name, Better::Higher, of) }
 }
 
-fn found() -> impl Iterator<Item = Measure> {
+fn detection_rates() -> impl Iterator<Item = Metric> {
     let is_found = |target: &TargetSummary| target.estimate.is_some();
     [
         rate("coverage", move |s| share(s, |_| true, is_found)),
@@ -109,7 +113,7 @@ fn found() -> impl Iterator<Item = Measure> {
     .into_iter()
 }
 
-fn of_classes() -> impl Iterator<Item = Measure> {
+fn class_rates() -> impl Iterator<Item = Metric> {
     Class::ALL.into_iter().map(|class| {
         let asked = move |target: &TargetSummary| target.found.is_some() && target.class == Some(class);
         let name = format!("detection_rate_{}", class.name());
@@ -118,7 +122,7 @@ fn of_classes() -> impl Iterator<Item = Measure> {
 }
 
 /// Detection rates below the first bound, between each two, and beyond the last.
-fn of_bands(bounds_m: Vec<f64>) -> impl Iterator<Item = Measure> {
+fn range_band_rates(bounds_m: Vec<f64>) -> impl Iterator<Item = Metric> {
     let ends = bounds_m.iter().copied().chain([f64::INFINITY]);
     let bands: Vec<(f64, f64)> = std::iter::once(0.0).chain(bounds_m.iter().copied()).zip(ends).collect();
     bands.into_iter().map(|(near, far)| {
@@ -130,40 +134,40 @@ fn of_bands(bounds_m: Vec<f64>) -> impl Iterator<Item = Measure> {
     })
 }
 
-fn estimated() -> impl Iterator<Item = Measure> {
+fn estimation_errors() -> impl Iterator<Item = Metric> {
     let range = |t: &TargetSummary, e: &Estimate| e.range_m - t.truth.compared_range_m();
     let velocity =
         |t: &TargetSummary, e: &Estimate| e.radial_velocity_mps - t.truth.compared_radial_velocity_mps();
     [
         rate("lane_rate", |s| s.metrics.objects.lane_rate),
         rate("class_accuracy", |s| share(s, |t| t.class.is_some() && t.estimate.is_some(), class_is_right)),
-        measure("range_error_m", Better::Lower, move |s| rms(s, range)),
-        measure("velocity_error_mps", Better::Lower, move |s| rms(s, velocity)),
-        measure("gospa_m", Better::Lower, |s| s.metrics.objects.gospa_m),
-        measure("track_gospa_m", Better::Lower, |s| s.metrics.tracks.gospa_m),
+        run_metric("range_error_m", Better::Lower, move |s| rms(s, range)),
+        run_metric("velocity_error_mps", Better::Lower, move |s| rms(s, velocity)),
+        run_metric("gospa_m", Better::Lower, |s| s.metrics.objects.gospa_m),
+        run_metric("track_gospa_m", Better::Lower, |s| s.metrics.tracks.gospa_m),
     ]
     .into_iter()
 }
 
-fn wrong() -> impl Iterator<Item = Measure> {
+fn false_detections() -> impl Iterator<Item = Metric> {
     [
-        measure("false_objects", Better::Lower, |s| per_frame(s, s.metrics.objects.false_ones)),
-        measure("ghosts", Better::Lower, |s| {
+        run_metric("false_objects", Better::Lower, |s| per_frame(s, s.metrics.objects.false_ones)),
+        run_metric("ghosts", Better::Lower, |s| {
             let false_ones = s.frames.iter().flat_map(|frame| &frame.false_objects);
             per_frame(s, false_ones.filter(|object| object.cause == Cause::Ghost).count())
         }),
-        measure("identity_switches", Better::Lower, |s| Some(f64::from(s.metrics.identities.switches))),
+        run_metric("identity_switches", Better::Lower, |s| Some(f64::from(s.metrics.identities.switches))),
     ]
     .into_iter()
 }
 
 /// Costs, which are independent of the situation.
-fn costs() -> impl Iterator<Item = Measure> {
-    let cost = |name: &str, of| Measure {
+fn costs() -> impl Iterator<Item = Metric> {
+    let cost = |name: &str, of| Metric {
         name: name.to_owned(),
         better: Better::Lower,
-        scale: Scale::Fixed,
-        of: Of::Radar(of),
+        scale: ValueRange::Fixed,
+        of: MetricSource::Radar(of),
     };
     [
         cost("channels", |radar| radar.virtual_channels() as f64),

@@ -2,6 +2,6 @@
 
 pub(crate) mod student;
 pub(crate) mod interval;
-mod bets;
+mod betting_test;
 pub(crate) mod pairs;
-pub(crate) mod contest;
+pub(crate) mod racing;

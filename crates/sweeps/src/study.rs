@@ -1,6 +1,6 @@
 //! Question of a study: its file, the designs that it compares, and the situations of the comparison.
 
-pub(crate) mod page;
+pub(crate) mod study_text;
 pub(crate) mod fields;
 pub(crate) mod axis;
 pub(crate) mod axes;

@@ -1,26 +1,26 @@
 //! Execution of a study: makes its runs, and writes its tables, picture and report.
 
 use crate::answer::Answer;
-use crate::rounds::{Made, Rounds};
-use crate::runs::kept::Kept;
+use crate::outputs::blocks::{markdown, on_page};
+use crate::outputs::earlier_study;
+use crate::outputs::report::{FinishedStudy, answer as answer_of, details};
+use crate::outputs::{picture, tables, view};
+use crate::runs::run_store::RunStore;
 use crate::study::document::{RUNS_LIMIT, Study};
 use crate::study::situations::Situation;
 use crate::study::{acceptance, designs, kinds, situations};
-use crate::told::blocks::{markdown, on_page};
-use crate::told::earlier_study;
-use crate::told::report::{Done, answer as answer_of, details};
-use crate::told::{picture, tables, view};
+use crate::study_run::{RunState, StudyRun};
 use maud::html;
 use pipeline::chain::cache::{Cache, CacheLocation};
 use pipeline::chain::loaded_model::LoadedModel;
 use pipeline::chain::loading;
-use pipeline::host::call_off::CallOff;
+use pipeline::host::cancellation::Cancellation;
 use pipeline::host::failure::Failure;
-use pipeline::host::files::{self, Writing};
+use pipeline::host::files::{self, FolderLock};
 use pipeline::host::memory::Allowance;
 use pipeline::host::progress::{self, Work};
 use pipeline::planning;
-use plotting::form::{Figure, Form};
+use plotting::layout::{Figure, Layout};
 use reporting::pictures;
 use reporting::report;
 use std::path::{Path, PathBuf};
@@ -48,7 +48,7 @@ pub struct Settings<'a> {
     /// Receives each line of results.
     pub tell: &'a dyn Fn(&str),
     /// Ends the study between two runs.
-    pub call_off: CallOff,
+    pub cancellation: Cancellation,
 }
 
 /// Result of a study beside its files.
@@ -73,7 +73,7 @@ const RESULTS: [&str; 6] =
 pub fn run(settings: &Settings) -> Result<Option<Outcome>, Failure> {
     let cache = Cache::of_run(settings.cache.as_ref())?;
     if let Some(cache) = &cache {
-        cache.apart_from([settings.out.as_path(), &Kept::folder_in(&settings.out)])?;
+        cache.apart_from([settings.out.as_path(), &RunStore::folder_in(&settings.out)])?;
     }
     let study = Study::read(&settings.study, settings.seed)?;
     check_size(&study)?;
@@ -86,28 +86,28 @@ pub fn run(settings: &Settings) -> Result<Option<Outcome>, Failure> {
     let model = loading::model(settings.classifier.as_deref())?;
     // All inputs are known now, and no run has been made.
     files::claim(&RESULTS.map(|name| settings.out.join(name)))?;
-    earlier_study::keep_foreign(&settings.out)?;
+    earlier_study::refuse_foreign(&settings.out)?;
     let first_of_kinds = kinds::first_of_kinds(&study, &designs);
-    let rounds = Rounds {
+    let study_run = StudyRun {
         study: &study,
         designs: &designs,
         first_of_kinds: &first_of_kinds,
         situations: &situations,
-        kept: Kept::of(&study, model.as_ref().map(LoadedModel::hash), &settings.out),
+        store: RunStore::of(&study, model.as_ref().map(LoadedModel::hash), &settings.out),
         cache,
         model,
         memory: settings.memory,
         shard: settings.shard,
-        call_off: &settings.call_off,
-        put: AtomicUsize::new(0),
+        cancellation: &settings.cancellation,
+        runs_made: AtomicUsize::new(0),
     };
-    let ledger = match rounds.made()? {
-        Made::Whole(ledger) => ledger,
-        Made::Waiting { missing, made } if settings.shard.is_none() => {
+    let ledger = match study_run.make_all()? {
+        RunState::Complete(ledger) => ledger,
+        RunState::Incomplete { missing, made } if settings.shard.is_none() => {
             let out = settings.out.display();
             return Err(Failure::System(format!("{out}: {missing} runs are not made yet, {made} are")));
         }
-        Made::Waiting { missing, made } => {
+        RunState::Incomplete { missing, made } => {
             (settings.tell)(&format!(
                 "{missing} runs are not made yet, {made} are (what lacks is of another part of --shard)"
             ));
@@ -116,13 +116,19 @@ pub fn run(settings: &Settings) -> Result<Option<Outcome>, Failure> {
     };
     let answer = Answer::of(&study, &ledger);
     let all: Vec<&Situation> = situations.iter().flatten().collect();
-    let _writing = Writing::in_turn_into(&settings.out)?;
-    files::outdate(RESULTS.map(|name| settings.out.join(name)))?;
+    let _writing = FolderLock::wait_for(&settings.out)?;
+    files::remove_outdated(RESULTS.map(|name| settings.out.join(name)))?;
     let out = |name: &str| settings.out.join(name);
     files::write_file(&out("sweep.csv"), tables::runs(&study, &designs, &all, &ledger).as_bytes())?;
     files::write_file(&out("designs.csv"), tables::designs(&study, &designs, &ledger, &answer).as_bytes())?;
-    let done = Done { study: &study, designs: &designs, ledger: &ledger, answer: &answer, remarks: &remarks };
-    conclude(settings, &done, &all).map(Some)
+    let finished = FinishedStudy {
+        study: &study,
+        designs: &designs,
+        ledger: &ledger,
+        answer: &answer,
+        remarks: &remarks,
+    };
+    conclude(settings, &finished, &all).map(Some)
 }
 
 /// Refuses too many runs before as many designs and situations are made.
@@ -135,12 +141,16 @@ fn check_size(study: &Study) -> Result<(), Failure> {
 }
 
 /// Writes picture and report, and returns the answer.
-fn conclude(settings: &Settings, done: &Done, situations: &[&Situation]) -> Result<Outcome, Failure> {
-    let figure = Figure::of(|form: Form| picture::draw(done.study, done.answer, form));
+fn conclude(
+    settings: &Settings,
+    finished: &FinishedStudy,
+    situations: &[&Situation],
+) -> Result<Outcome, Failure> {
+    let figure = Figure::draw(|layout: Layout| picture::draw(finished.study, finished.answer, layout));
     let out = |name: &str| settings.out.join(name);
-    files::write_file(&out("pareto.svg"), figure.wide.text().as_bytes())?;
+    files::write_file(&out("pareto.svg"), figure.wide.standalone().as_bytes())?;
     pictures::write_png(&out("pareto.png"), &figure.wide)?;
-    let (first, rest) = (answer_of(done), details(done));
+    let (first, rest) = (answer_of(finished), details(finished));
     let name = settings.study.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let made = format!("Made by `{}`.", settings.command);
     let text = format!(
@@ -149,7 +159,7 @@ fn conclude(settings: &Settings, done: &Done, situations: &[&Situation]) -> Resu
         markdown(&rest)
     );
     files::write_file(&out("report.md"), text.as_bytes())?;
-    let seen = view::of(done, situations)?;
+    let seen = view::of(finished, situations)?;
     let page = report::sheet(
         &name,
         html! {
@@ -165,9 +175,9 @@ fn conclude(settings: &Settings, done: &Done, situations: &[&Situation]) -> Resu
         },
     );
     files::write_file(&out("report.html"), page.as_bytes())?;
-    done.sentences().iter().for_each(|line| (settings.tell)(line));
+    finished.sentences().iter().for_each(|line| (settings.tell)(line));
     (settings.tell)(&format!("report: {}", shown(&out("report.html"))));
-    Ok(Outcome { answer: markdown(&first), details: markdown(&rest), chosen: done.answer.chosen })
+    Ok(Outcome { answer: markdown(&first), details: markdown(&rest), chosen: finished.answer.chosen })
 }
 
 fn shown(file: &Path) -> String {

@@ -7,7 +7,7 @@
     reason = "a test fails by panicking; clippy knows only functions marked as tests"
 )]
 
-use pipeline::host::call_off::CallOff;
+use pipeline::host::cancellation::Cancellation;
 use pipeline::host::memory::Allowance;
 use std::path::Path;
 use sweeps::{Outcome, Settings};
@@ -57,7 +57,7 @@ fn part(folder: &Path, shard: Option<[u32; 2]>) -> Result<Option<Outcome>, Strin
         memory: Allowance::of(None),
         command: "sweep".into(),
         tell: &|_| {},
-        call_off: CallOff::default(),
+        cancellation: Cancellation::default(),
     };
     sweeps::run(&settings).map_err(|failure| failure.to_string())
 }

@@ -33,15 +33,15 @@ pub(crate) fn read_only<T>(array: Bound<'_, T>) -> PyResult<Bound<'_, T>> {
 
 /// Read-only array that is made when it is first asked for, and kept. Each call gives a new array over the
 /// same memory, whose type and shape are its holder's own.
-pub(crate) struct Kept<T>(PyOnceLock<Py<T>>);
+pub(crate) struct CachedArray<T>(PyOnceLock<Py<T>>);
 
-impl<T> Default for Kept<T> {
+impl<T> Default for CachedArray<T> {
     fn default() -> Self {
         Self(PyOnceLock::new())
     }
 }
 
-impl<T: PyTypeCheck> Kept<T> {
+impl<T: PyTypeCheck> CachedArray<T> {
     /// Array over the kept memory; `make` makes that the first time.
     pub(crate) fn view<'py>(
         &self,
@@ -53,7 +53,7 @@ impl<T: PyTypeCheck> Kept<T> {
     }
 }
 
-impl<T: Element> Kept<PyArray1<T>> {
+impl<T: Element> CachedArray<PyArray1<T>> {
     /// Array over kept values of a kind, one each.
     pub(crate) fn each<'py, I: IntoIterator<Item = T>>(
         &self,

@@ -1,13 +1,13 @@
 //! Class `Cube`: radar data cubes, simulated or anybody's.
 
-use crate::arrays::Kept;
+use crate::arrays::CachedArray;
+use crate::dictionaries;
 use crate::failure;
-use crate::held::artifacts;
-use crate::held::handle::Handle;
-use crate::held::samples::Samples;
 use crate::range_doppler::RangeDoppler;
-use crate::told;
-use crate::work::{Hears, carry_out};
+use crate::shared::artifacts;
+use crate::shared::handle::Handle;
+use crate::shared::samples::Samples;
+use crate::work::{ProgressListener, carry_out};
 use artifact::cube::Cube as Schema;
 use num_complex::Complex32;
 use numpy::{PyArray1, PyArray4, PyArrayMethods, PyReadonlyArray4};
@@ -15,7 +15,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::path::PathBuf;
 use std::sync::Arc;
-use wayside::stepwise::{Processing, Recorded, cubes_of_samples};
+use wayside::stepwise::{CompleteArtifact, Processing, cubes_of_samples};
 
 /// Radar data cubes of the frames of a scene, √W or what was imported.
 ///
@@ -26,29 +26,30 @@ use wayside::stepwise::{Processing, Recorded, cubes_of_samples};
 #[pyclass(frozen, module = "wayside")]
 pub(crate) struct Cube {
     samples: Arc<Samples>,
-    time_s: Kept<PyArray1<f64>>,
+    time_s: CachedArray<PyArray1<f64>>,
 }
 
 impl Cube {
     /// Hands the cubes over to Python.
-    pub(crate) fn of(py: Python<'_>, recorded: Recorded<Schema>) -> PyResult<Self> {
+    pub(crate) fn of(py: Python<'_>, recorded: CompleteArtifact<Schema>) -> PyResult<Self> {
         Ok(Self::with(Samples::of(py, recorded)?))
     }
 
     fn with(samples: Samples) -> Self {
-        Self { samples: Arc::new(samples), time_s: Kept::default() }
+        Self { samples: Arc::new(samples), time_s: CachedArray::default() }
     }
 
     /// Range-Doppler maps of all channels.
-    pub(crate) fn maps(&self, py: Python<'_>, hears: Hears<'_, '_>) -> PyResult<RangeDoppler> {
+    pub(crate) fn maps(&self, py: Python<'_>, listener: ProgressListener<'_, '_>) -> PyResult<RangeDoppler> {
         let (header, frames) = (self.samples.header.clone(), self.samples.frames(py)?);
-        let (processing, maps) = carry_out(py, &[], hears, move |call_off| {
+        let (processing, maps) = carry_out(py, &[], listener, move |cancellation| {
             let processing = Processing::of(&header)?;
-            let maps = processing.maps(&frames, call_off)?;
+            let maps = processing.maps(&frames, cancellation)?;
             Ok((processing, maps))
         })?;
         let Samples { from, header, .. } = &*self.samples;
-        let recorded = Recorded { from: processing.provenance(from), header: header.clone(), frames: maps };
+        let recorded =
+            CompleteArtifact { from: processing.provenance(from), header: header.clone(), frames: maps };
         RangeDoppler::of(py, recorded, processing, Some(Arc::clone(&self.samples)))
     }
 }
@@ -58,14 +59,14 @@ fn four_axes<'py>(samples: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyArray4<C
     let numpy = samples.py().import("numpy")?;
     if samples.py().import("numpy.ma")?.call_method1("is_masked", (samples,))?.is_truthy()? {
         let rule = "it is a masked array, and what its mask hides has no value: fill it, samples.filled(0)";
-        return Err(failure::of_argument("samples", rule));
+        return Err(failure::argument_error("samples", rule));
     }
     let as_they_are_read = ["C_CONTIGUOUS", "ALIGNED", "ENSUREARRAY"];
     let array = numpy.call_method1("require", (samples, numpy.getattr("complex64")?, as_they_are_read))?;
     let axes: usize = array.getattr("ndim")?.extract()?;
     let whole = if axes == 3 { array.get_item(numpy.getattr("newaxis")?)? } else { array };
     let rule = "complex values [frame, channel, chirp, sample], or of one frame [channel, chirp, sample]";
-    whole.cast_into().map_err(|_| failure::of_argument("samples", format!("{axes} axes: {rule}")))
+    whole.cast_into().map_err(|_| failure::argument_error("samples", format!("{axes} axes: {rule}")))
 }
 
 #[pymethods]
@@ -84,7 +85,7 @@ impl Cube {
         let readonly: PyReadonlyArray4<'_, Complex32> = array.try_readonly()?;
         let shape = readonly.as_array().dim().into();
         let made = cubes_of_samples(&opened, shape, readonly.as_slice()?, full_scale);
-        let recorded = made.map_err(|failure| failure::raised(py, &failure, &[read.shown()]))?;
+        let recorded = made.map_err(|failure| failure::exception_of(py, &failure, &[read.message_path()]))?;
         drop(readonly);
         Ok(Self::with(Samples::in_array(recorded, &array)))
     }
@@ -123,13 +124,13 @@ impl Cube {
     /// Numerical errors of each frame in dB relative to the echo.
     #[getter]
     fn error_db<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
-        self.samples.errors().map(|error| told::errors(py, error)).collect()
+        self.samples.errors().map(|error| dictionaries::errors(py, error)).collect()
     }
 
     /// Range-Doppler maps of all channels, with the cells that the detector found.
     #[pyo3(signature = (*, progress=None))]
     fn range_doppler(&self, py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<RangeDoppler> {
-        self.maps(py, Hears::all(progress))
+        self.maps(py, ProgressListener::all(progress))
     }
 
     /// Cube with named axes: `xarray.DataArray`, where xarray is installed.

@@ -1,12 +1,12 @@
 //! Class `Detections`: points and the objects that they form.
 
-use crate::arrays::{Field, Kept, Records};
+use crate::arguments::words;
+use crate::arrays::{CachedArray, Field, Records};
 use crate::failure;
-use crate::given::words;
-use crate::held::artifacts;
-use crate::held::maps::Maps;
+use crate::shared::artifacts;
+use crate::shared::maps::Maps;
 use crate::tracks::Tracks;
-use crate::work::{Hears, carry_out};
+use crate::work::{ProgressListener, carry_out};
 use artifact::points::{Height, Object, Point, Points};
 use artifact::tracks::Tracks as TracksSchema;
 use pyo3::prelude::*;
@@ -14,16 +14,16 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use wayside::Failure;
 use wayside::chain::loading;
-use wayside::stepwise::{Answered, Processing, Recorded};
+use wayside::stepwise::{Classification, CompleteArtifact, Processing};
 
 /// Detected points and objects of the frames of a cube.
 #[pyclass(frozen, module = "wayside")]
 pub(crate) struct Detections {
     /// The maps that they were found on; `None` of a file.
     maps: Option<Arc<Maps>>,
-    all: Arc<Recorded<Points>>,
-    points: Kept<PyAny>,
-    objects: Kept<PyAny>,
+    all: Arc<CompleteArtifact<Points>>,
+    points: CachedArray<PyAny>,
+    objects: CachedArray<PyAny>,
 }
 
 const POINT: [Field; 11] = [
@@ -84,11 +84,11 @@ fn add_object(records: &mut Records, frame: u32, object: &Object) {
 }
 
 /// Classes of the objects of all frames: a probability a class, and the class that is told.
-fn classes<'py>(py: Python<'py>, answers: &[(u32, Vec<Answered>)]) -> PyResult<Bound<'py, PyAny>> {
+fn classes<'py>(py: Python<'py>, answers: &[(u32, Vec<Classification>)]) -> PyResult<Bound<'py, PyAny>> {
     let (names, mut records) = (Processing::class_names(), Records::default());
     for (frame, answers) in answers {
         for (object, answer) in answers.iter().enumerate() {
-            let told = names.iter().position(|name| *name == answer.told).map(|at| at as i64);
+            let told = names.iter().position(|name| *name == answer.class_name).map(|at| at as i64);
             records.whole(*frame).whole(object as i64).numbers(&answer.probabilities.map(f64::from));
             records.whole_or_none(told);
         }
@@ -118,8 +118,8 @@ const WITHOUT_MAPS: &str = "classes are told from the maps that the points were 
 
 impl Detections {
     /// Points and objects with the maps that they were found on; those of a file have none.
-    pub(crate) fn of(all: Recorded<Points>, maps: Option<Arc<Maps>>) -> Self {
-        Self { maps, all: Arc::new(all), points: Kept::default(), objects: Kept::default() }
+    pub(crate) fn of(all: CompleteArtifact<Points>, maps: Option<Arc<Maps>>) -> Self {
+        Self { maps, all: Arc::new(all), points: CachedArray::default(), objects: CachedArray::default() }
     }
 
     /// Processing of the cubes of their radar.
@@ -132,12 +132,12 @@ impl Detections {
     }
 
     /// Objects followed over the frames.
-    pub(crate) fn tracked(&self, py: Python<'_>, hears: Hears<'_, '_>) -> PyResult<Tracks> {
-        let processing = self.processing().map_err(|failure| failure::raised(py, &failure, &[]))?;
+    pub(crate) fn tracked(&self, py: Python<'_>, listener: ProgressListener<'_, '_>) -> PyResult<Tracks> {
+        let processing = self.processing().map_err(|failure| failure::exception_of(py, &failure, &[]))?;
         let points = Arc::clone(&self.all);
-        let all: Recorded<TracksSchema> = carry_out(py, &[], hears, move |call_off| {
-            let frames = processing.tracks(&points.frames, call_off)?;
-            Ok(Recorded { from: points.from.clone(), header: processing.tracks_header(), frames })
+        let all: CompleteArtifact<TracksSchema> = carry_out(py, &[], listener, move |cancellation| {
+            let frames = processing.tracks(&points.frames, cancellation)?;
+            Ok(CompleteArtifact { from: points.from.clone(), header: processing.tracks_header(), frames })
         })?;
         Ok(Tracks::of(all))
     }
@@ -147,15 +147,15 @@ impl Detections {
         &self,
         py: Python<'py>,
         model: Option<PathBuf>,
-        hears: Hears<'_, '_>,
+        listener: ProgressListener<'_, '_>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let of_file = || failure::raised(py, &Failure::refused(WITHOUT_MAPS), &[]);
+        let of_file = || failure::exception_of(py, &Failure::refused(WITHOUT_MAPS), &[]);
         let held = self.maps.as_ref().ok_or_else(of_file)?;
         let (maps, points) = (held.frames(py)?, Arc::clone(&self.all));
         let (processing, place) = (Arc::clone(&held.processing), model.clone());
-        let answers = carry_out(py, &[model.as_deref()], hears, move |call_off| {
+        let answers = carry_out(py, &[model.as_deref()], listener, move |cancellation| {
             let Some(model) = loading::model(place.as_deref())? else { return Ok(vec![]) };
-            processing.classes(&model, &maps, &points.frames, call_off)
+            processing.classes(&model, &maps, &points.frames, cancellation)
         })?;
         classes(py, &answers)
     }
@@ -204,7 +204,7 @@ impl Detections {
     /// Objects followed over the frames.
     #[pyo3(signature = (*, progress=None))]
     fn track(&self, py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Tracks> {
-        self.tracked(py, Hears::all(progress))
+        self.tracked(py, ProgressListener::all(progress))
     }
 
     /// Classes of the objects, a `numpy.recarray`: frame, object, a probability for each of
@@ -217,7 +217,7 @@ impl Detections {
         model: Option<PathBuf>,
         progress: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        self.classified(py, model, Hears::all(progress))
+        self.classified(py, model, ProgressListener::all(progress))
     }
 
     /// Writes a `.points` artifact, the bytes of `wayside dsp`; another format's ending is refused.

@@ -11,7 +11,7 @@ use wayside::stepwise::SceneFault;
 
 /// Exception of a failure. `files` are those that the work was given: it is about the one with whose name its
 /// sentence begins, else about the first, where one is known.
-pub(crate) fn raised(py: Python<'_>, failure: &Failure, files: &[Option<&Path>]) -> PyErr {
+pub(crate) fn exception_of(py: Python<'_>, failure: &Failure, files: &[Option<&Path>]) -> PyErr {
     let text = failure.to_string();
     let file = named(&text, files).or(files.first().copied().flatten());
     let name = file.map(|file| file.display().to_string());
@@ -30,7 +30,7 @@ fn named<'a>(text: &str, given: &[Option<&'a Path>]) -> Option<&'a Path> {
 }
 
 /// Exception of a scene's broken rules; a scene from a dictionary has no file, and lines mean nothing.
-pub(crate) fn of_scene(
+pub(crate) fn scene_exception(
     py: Python<'_>,
     failure: &Failure,
     faults: &[SceneFault],
@@ -55,7 +55,7 @@ pub(crate) fn of_scene(
 }
 
 /// Exception of an argument that is out of what it may be.
-pub(crate) fn of_argument(name: &str, rule: impl std::fmt::Display) -> PyErr {
+pub(crate) fn argument_error(name: &str, rule: impl std::fmt::Display) -> PyErr {
     pyo3::exceptions::PyValueError::new_err(format!("{name}: {rule}"))
 }
 
@@ -86,6 +86,6 @@ fn kind(failure: &Failure) -> &'static str {
     match failure {
         Failure::Refused(_) | Failure::Unplaced(_) => "refused",
         Failure::System(_) => "system",
-        Failure::CalledOff => "called off",
+        Failure::Cancelled => "called off",
     }
 }

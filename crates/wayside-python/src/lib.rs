@@ -2,14 +2,14 @@
 //!
 //! Each class has a file. What is computed is computed by the crate `wayside` (`stepwise`, `run`); here stand
 //! the ways from and to Python: [`failure`] makes exceptions, [`work`] lets the interpreter go while the
-//! library works, [`arrays`] hands vectors over without a copy, [`given`] takes what names a scene.
+//! library works, [`arrays`] hands vectors over without a copy, [`arguments`] takes what names a scene.
 
 mod failure; // exceptions with file, place and rule
-mod given; // numbers, words and scenes, as Python gives them
+mod arguments; // numbers, words and scenes, as Python gives them
 mod work; // beside the interpreter, with progress and Ctrl-C
 mod arrays; // vectors and records as NumPy arrays
-mod told; // figures as dictionaries
-mod held; // scenes, samples and maps, as classes share them, and files
+mod dictionaries; // figures as dictionaries
+mod shared; // scenes, samples and maps, as classes share them, and files
 mod paths_frame;
 mod paths;
 mod tracks;
@@ -26,11 +26,11 @@ use pyo3::prelude::*;
 mod _core {
     use super::*;
     #[pymodule_export]
+    use crate::arguments::document::file_keys;
+    #[pymodule_export]
     use crate::cube::Cube;
     #[pymodule_export]
     use crate::detections::Detections;
-    #[pymodule_export]
-    use crate::given::document::file_keys;
     #[pymodule_export]
     use crate::paths::Paths;
     #[pymodule_export]

@@ -1,19 +1,19 @@
 //! Class `Paths`: the paths of all frames of a scene.
 
-use crate::held::artifacts;
 use crate::paths_frame::PathsFrame;
+use crate::shared::artifacts;
 use artifact::paths::Paths as Schema;
 use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
 use std::path::PathBuf;
 use std::sync::Arc;
-use wayside::stepwise::Recorded;
+use wayside::stepwise::CompleteArtifact;
 
 /// Scattering paths of the frames of a scene: a sequence of `PathsFrame`.
 #[pyclass(frozen, module = "wayside")]
 pub(crate) struct Paths {
     /// The artifact, which its frames share.
-    pub(crate) all: Arc<Recorded<Schema>>,
+    pub(crate) all: Arc<CompleteArtifact<Schema>>,
 }
 
 #[pymethods]

@@ -1,20 +1,20 @@
 //! Class `PathsFrame`: the paths of one frame as a structure of arrays.
 
-use crate::arrays::{self, Field, Kept, Records};
-use crate::told;
+use crate::arrays::{self, CachedArray, Field, Records};
+use crate::dictionaries;
 use artifact::paths::{Path, Paths as Schema, PathsFrame as Frame};
 use num_complex::Complex64;
 use numpy::{PyArray1, PyArray2, PyArray3};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::Arc;
-use wayside::stepwise::{Recorded, delay_at_middle};
+use wayside::stepwise::{CompleteArtifact, delay_at_middle};
 
 /// Scattering paths of one frame, n of them, referred to the frame's first sample.
 #[pyclass(frozen, module = "wayside")]
 pub(crate) struct PathsFrame {
     /// Paths of all frames.
-    all: Arc<Recorded<Schema>>,
+    all: Arc<CompleteArtifact<Schema>>,
     /// Place among them.
     at: usize,
     arrays: Arrays,
@@ -23,22 +23,22 @@ pub(crate) struct PathsFrame {
 /// Arrays of a frame by their names in Python.
 #[derive(Default)]
 struct Arrays {
-    a_m: Kept<PyArray3<Complex64>>,
-    slope_m_per_hz: Kept<PyArray3<Complex64>>,
-    x_a_m: Kept<PyArray2<f64>>,
-    x_b_m: Kept<PyArray2<f64>>,
-    v_a_mps: Kept<PyArray2<f64>>,
-    v_b_mps: Kept<PyArray2<f64>>,
-    order: Kept<PyArray1<u8>>,
-    target: Kept<PyArray1<u32>>,
-    spans: Kept<PyAny>,
-    delay_s: Kept<PyArray1<f64>>,
-    delay_rate: Kept<PyArray1<f64>>,
+    a_m: CachedArray<PyArray3<Complex64>>,
+    slope_m_per_hz: CachedArray<PyArray3<Complex64>>,
+    x_a_m: CachedArray<PyArray2<f64>>,
+    x_b_m: CachedArray<PyArray2<f64>>,
+    v_a_mps: CachedArray<PyArray2<f64>>,
+    v_b_mps: CachedArray<PyArray2<f64>>,
+    order: CachedArray<PyArray1<u8>>,
+    target: CachedArray<PyArray1<u32>>,
+    spans: CachedArray<PyAny>,
+    delay_s: CachedArray<PyArray1<f64>>,
+    delay_rate: CachedArray<PyArray1<f64>>,
 }
 
 impl PathsFrame {
     /// Frame at a place among those of all paths.
-    pub(crate) fn of(all: Arc<Recorded<Schema>>, at: usize) -> Self {
+    pub(crate) fn of(all: Arc<CompleteArtifact<Schema>>, at: usize) -> Self {
         Self { all, at, arrays: Arrays::default() }
     }
 
@@ -49,7 +49,7 @@ impl PathsFrame {
     fn vectors<'py>(
         &self,
         py: Python<'py>,
-        kept: &Kept<PyArray2<f64>>,
+        kept: &CachedArray<PyArray2<f64>>,
         of: impl Fn(&Path) -> [f64; 3],
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let paths = &self.frame().paths;
@@ -59,7 +59,7 @@ impl PathsFrame {
     fn matrices<'py>(
         &self,
         py: Python<'py>,
-        kept: &Kept<PyArray3<Complex64>>,
+        kept: &CachedArray<PyArray3<Complex64>>,
         of: impl Fn(&Path) -> [[Complex64; 2]; 2],
     ) -> PyResult<Bound<'py, PyArray3<Complex64>>> {
         let paths = &self.frame().paths;
@@ -189,13 +189,13 @@ impl PathsFrame {
     /// Numerical errors in dB relative to the echo; None where not estimated and of no error at all.
     #[getter]
     fn error_db<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        told::errors(py, &self.frame().error)
+        dictionaries::errors(py, &self.frame().error)
     }
 
     /// Errors of what the model leaves out, in dB relative to the echo.
     #[getter]
     fn model_error_db<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        told::model_errors(py, &self.frame().model_error)
+        dictionaries::model_errors(py, &self.frame().model_error)
     }
 
     fn __len__(&self) -> usize {

@@ -1,12 +1,12 @@
 //! Class `RangeDoppler`: maps of all channels and what the detector made of them.
 
-use crate::arrays::{self, Kept};
+use crate::arrays::{self, CachedArray};
 use crate::detections::Detections;
 use crate::failure;
-use crate::held::artifacts;
-use crate::held::maps::Maps;
-use crate::held::samples::Samples;
-use crate::work::{Hears, carry_out};
+use crate::shared::artifacts;
+use crate::shared::maps::Maps;
+use crate::shared::samples::Samples;
+use crate::work::{ProgressListener, carry_out};
 use artifact::points::Points;
 use artifact::rdm::Rdm;
 use num_complex::Complex32;
@@ -15,48 +15,48 @@ use pyo3::prelude::*;
 use std::path::PathBuf;
 use std::sync::Arc;
 use wayside::host::progress;
-use wayside::stepwise::{Processing, Recorded};
+use wayside::stepwise::{CompleteArtifact, Processing};
 
 /// Range-Doppler maps of the frames of a cube.
 #[pyclass(frozen, module = "wayside")]
 pub(crate) struct RangeDoppler {
     maps: Arc<Maps>,
-    range_m: Kept<PyArray1<f64>>,
-    velocity_mps: Kept<PyArray1<f64>>,
-    velocity_of_frames_mps: Kept<PyArray2<f64>>,
-    time_s: Kept<PyArray1<f64>>,
+    range_m: CachedArray<PyArray1<f64>>,
+    velocity_mps: CachedArray<PyArray1<f64>>,
+    velocity_of_frames_mps: CachedArray<PyArray2<f64>>,
+    time_s: CachedArray<PyArray1<f64>>,
 }
 
 impl RangeDoppler {
     /// Hands the maps over to Python; those of a file have no samples.
     pub(crate) fn of(
         py: Python<'_>,
-        recorded: Recorded<Rdm>,
+        recorded: CompleteArtifact<Rdm>,
         processing: Processing,
         samples: Option<Arc<Samples>>,
     ) -> PyResult<Self> {
         Ok(Self {
             maps: Arc::new(Maps::of(py, recorded, processing, samples)?),
-            range_m: Kept::default(),
-            velocity_mps: Kept::default(),
-            velocity_of_frames_mps: Kept::default(),
-            time_s: Kept::default(),
+            range_m: CachedArray::default(),
+            velocity_mps: CachedArray::default(),
+            velocity_of_frames_mps: CachedArray::default(),
+            time_s: CachedArray::default(),
         })
     }
 
     /// Points and objects of the maps.
-    pub(crate) fn found(&self, py: Python<'_>, hears: Hears<'_, '_>) -> PyResult<Detections> {
+    pub(crate) fn found(&self, py: Python<'_>, listener: ProgressListener<'_, '_>) -> PyResult<Detections> {
         let Maps { samples, processing, from, .. } = &*self.maps;
         let cubes = samples.as_ref().map(|samples| samples.frames(py)).transpose()?;
         let (maps, processing, from) = (self.maps.frames(py)?, Arc::clone(processing), from.clone());
-        let all: Recorded<Points> = carry_out(py, &[], hears, move |call_off| {
+        let all: CompleteArtifact<Points> = carry_out(py, &[], listener, move |cancellation| {
             let header = processing.points_header();
             let frames = match &cubes {
-                Some(cubes) => processing.points(&maps, cubes, call_off)?,
-                None => processing.points_of_maps(&maps, call_off)?,
+                Some(cubes) => processing.points(&maps, cubes, cancellation)?,
+                None => processing.points_of_maps(&maps, cancellation)?,
             };
             processing.remarks(&frames).into_iter().for_each(progress::note);
-            Ok(Recorded { from, header, frames })
+            Ok(CompleteArtifact { from, header, frames })
         })?;
         Ok(Detections::of(all, Some(Arc::clone(&self.maps))))
     }
@@ -69,9 +69,9 @@ impl RangeDoppler {
     #[staticmethod]
     #[pyo3(signature = (file))]
     fn read(py: Python<'_>, file: PathBuf) -> PyResult<Self> {
-        let recorded: Recorded<Rdm> = artifacts::read(py, &file)?;
+        let recorded: CompleteArtifact<Rdm> = artifacts::read(py, &file)?;
         let processing = Processing::of(&recorded.header);
-        let processing = processing.map_err(|failure| failure::raised(py, &failure, &[Some(&file)]))?;
+        let processing = processing.map_err(|failure| failure::exception_of(py, &failure, &[Some(&file)]))?;
         Self::of(py, recorded, processing, None)
     }
 
@@ -136,7 +136,7 @@ impl RangeDoppler {
     /// without a height) is told to the logger `wayside`.
     #[pyo3(signature = (*, progress=None))]
     fn detect(&self, py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Detections> {
-        self.found(py, Hears::all(progress))
+        self.found(py, ProgressListener::all(progress))
     }
 
     /// Maps with named axes: `xarray.Dataset`, where xarray is installed.

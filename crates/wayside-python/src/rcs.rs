@@ -1,13 +1,13 @@
 //! Class `Rcs` and the function that makes it: S of a mesh over frequency and aspect.
 
-use crate::arrays::{self, Kept};
+use crate::arguments::document;
+use crate::arguments::numbers;
+use crate::arguments::words::meaning;
+use crate::arrays::{self, CachedArray};
+use crate::dictionaries;
 use crate::failure;
-use crate::given::document;
-use crate::given::numbers;
-use crate::given::words::meaning;
-use crate::held::values::Values;
-use crate::told;
-use crate::work::{Hears, carry_out};
+use crate::shared::values::Values;
+use crate::work::{ProgressListener, carry_out};
 use artifact::material::Transmission;
 use ndarray::{Array3, Ix3};
 use num_complex::Complex64;
@@ -22,7 +22,7 @@ use wayside::host::memory::Allowance;
 use wayside::stepwise::bounds::{AZIMUTHS_DEG, BOUNCES, ELEVATIONS_DEG, FREQUENCIES_GHZ, UNIT_SCALES};
 use wayside::stepwise::table_words::{EDGES, NODES, POLARIZATIONS, SIDES, SURFACES, TRANSMISSION};
 use wayside::stepwise::{
-    self, AskedReceiver, AskedTable, DENSITY_PER_WAVELENGTH, DescribedTable, TableDescription,
+    self, DENSITY_PER_WAVELENGTH, DescribedTable, RequestedReceiver, RequestedTable, TableDescription,
 };
 
 /// Scattering amplitude S of a mesh over frequency, elevation and azimuth.
@@ -30,9 +30,9 @@ use wayside::stepwise::{
 pub(crate) struct Rcs {
     description: TableDescription,
     amplitude: Values<Complex64, Ix3>,
-    freq_hz: Kept<PyArray1<f64>>,
-    el_deg: Kept<PyArray1<f64>>,
-    az_deg: Kept<PyArray1<f64>>,
+    freq_hz: CachedArray<PyArray1<f64>>,
+    el_deg: CachedArray<PyArray1<f64>>,
+    az_deg: CachedArray<PyArray1<f64>>,
 }
 
 impl Rcs {
@@ -40,9 +40,9 @@ impl Rcs {
         Self {
             description,
             amplitude: Values::of("s_m", amplitude),
-            freq_hz: Kept::default(),
-            el_deg: Kept::default(),
-            az_deg: Kept::default(),
+            freq_hz: CachedArray::default(),
+            el_deg: CachedArray::default(),
+            az_deg: CachedArray::default(),
         }
     }
 }
@@ -56,7 +56,7 @@ fn loaded<'py>(py: Python<'py>, file: &Path, shape: [usize; 3]) -> PyResult<Boun
     let read = read.map_err(|error| unread(py, file, &error))?;
     let array = numpy.call_method1("ascontiguousarray", (read,))?.cast_into::<PyArray3<Complex64>>().ok();
     let rule = format!("S is complex128 {shape:?}, as the description beside it tells");
-    let other = || failure::raised(py, &Failure::refused(rule).about(file), &[Some(file)]);
+    let other = || failure::exception_of(py, &Failure::refused(rule).about(file), &[Some(file)]);
     array.filter(|array| array.shape() == shape).ok_or_else(other)
 }
 
@@ -66,7 +66,7 @@ fn unread(py: Python<'_>, file: &Path, error: &PyErr) -> PyErr {
         true => Failure::system(file, "read", error.value(py)),
         false => Failure::refused(error.value(py)).about(file),
     };
-    failure::raised(py, &failure, &[Some(file)])
+    failure::exception_of(py, &failure, &[Some(file)])
 }
 
 #[pymethods]
@@ -76,7 +76,7 @@ impl Rcs {
     #[pyo3(signature = (file))]
     fn read(py: Python<'_>, file: PathBuf) -> PyResult<Self> {
         let read = py.detach(|| TableDescription::read(&file));
-        let description = read.map_err(|failure| failure::raised(py, &failure, &[Some(&file)]))?;
+        let description = read.map_err(|failure| failure::exception_of(py, &failure, &[Some(&file)]))?;
         let amplitude = loaded(py, &file, description.shape())?;
         Ok(Self::of(description, &amplitude))
     }
@@ -87,7 +87,7 @@ impl Rcs {
     fn write(&self, py: Python<'_>, file: PathBuf) -> PyResult<()> {
         let values = self.amplitude.read(py)?.as_slice()?.to_vec();
         let written = py.detach(|| self.description.write(&file, &values));
-        written.map_err(|failure| failure::raised(py, &failure, &[Some(&file)]))
+        written.map_err(|failure| failure::exception_of(py, &failure, &[Some(&file)]))
     }
 
     /// Scattering amplitude S in metres, complex128 [freq, el, az], phase at the mesh's origin; |S|² is the
@@ -138,13 +138,13 @@ impl Rcs {
     /// Numerical errors of the table in dB relative to it; None where not estimated and of no error.
     #[getter]
     fn error_db<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        told::figures(py, &self.description.error)
+        dictionaries::figures(py, &self.description.error)
     }
 
     /// Errors of what the model leaves out, in dB relative to the table.
     #[getter]
     fn model_error_db<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        told::model_figures(py, &self.description.model_error)
+        dictionaries::model_figures(py, &self.description.model_error)
     }
 
     /// Table with named axes: `xarray.Dataset`, where xarray is installed.
@@ -198,7 +198,7 @@ pub(crate) fn rcs(
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Rcs> {
     let range_m = numbers::distance_m("range_m", range_m)?;
-    let asked = AskedTable {
+    let requested = RequestedTable {
         receiver: receiver(rx_az_deg, rx_el_deg, rx_range_m)?,
         unit_scale: scale(unit_scale)?,
         transmission: transmitted(transmission, materials.as_deref())?,
@@ -219,8 +219,9 @@ pub(crate) fn rcs(
         materials: materials.clone(),
     };
     let memory = Allowance::of(numbers::memory_mib(memory_limit_mib)?);
-    let (files, hears) = ([Some(mesh.as_path()), materials.as_deref()], Hears::all(progress));
-    let table = carry_out(py, &files, hears, move |call_off| stepwise::rcs(&asked, memory, call_off))?;
+    let (files, listener) = ([Some(mesh.as_path()), materials.as_deref()], ProgressListener::all(progress));
+    let table =
+        carry_out(py, &files, listener, move |cancellation| stepwise::rcs(&requested, memory, cancellation))?;
     let DescribedTable { amplitude_m, description } = table;
     let amplitude = arrays::shaped(py, amplitude_m, description.shape())?;
     Ok(Rcs::of(description, &amplitude))
@@ -236,7 +237,7 @@ pub(crate) fn mesh_bounds_m(
 ) -> PyResult<Bound<'_, PyArray2<f64>>> {
     let unit_scale = scale(unit_scale)?;
     let read = py.detach(|| stepwise::mesh(&mesh, unit_scale));
-    let read = read.map_err(|failure| failure::raised(py, &failure, &[Some(&mesh)]))?;
+    let read = read.map_err(|failure| failure::exception_of(py, &failure, &[Some(&mesh)]))?;
     let along = |axis: usize| read.vertices_m.iter().map(move |vertex| vertex[axis]);
     let low = (0..3).map(|axis| along(axis).fold(f64::INFINITY, f64::min));
     let high = (0..3).map(|axis| along(axis).fold(f64::NEG_INFINITY, f64::max));
@@ -248,10 +249,10 @@ fn receiver(
     az_deg: Option<f64>,
     el_deg: Option<f64>,
     range_m: Option<f64>,
-) -> PyResult<Option<AskedReceiver>> {
-    let lacks = |lacking: &str, name: &str| Err(failure::of_argument(lacking, format!("{name} needs it")));
+) -> PyResult<Option<RequestedReceiver>> {
+    let lacks = |lacking: &str, name: &str| Err(failure::argument_error(lacking, format!("{name} needs it")));
     match (az_deg, el_deg) {
-        (Some(azimuth), Some(elevation)) => Ok(Some(AskedReceiver {
+        (Some(azimuth), Some(elevation)) => Ok(Some(RequestedReceiver {
             azimuth_deg: numbers::number("rx_az_deg", azimuth, &AZIMUTHS_DEG)?,
             elevation_deg: numbers::number("rx_el_deg", elevation, &ELEVATIONS_DEG)?,
             range_m: range_m.map(|range_m| numbers::distance_m("rx_range_m", range_m)).transpose()?,
@@ -267,7 +268,7 @@ fn receiver(
 fn transmitted(given: &str, materials: Option<&Path>) -> PyResult<Transmission> {
     match meaning("transmission", given, &TRANSMISSION)? {
         Transmission::Followed if materials.is_none() => {
-            Err(failure::of_argument("materials", "transmission needs it"))
+            Err(failure::argument_error("materials", "transmission needs it"))
         }
         found => Ok(found),
     }
@@ -283,7 +284,7 @@ fn values(name: &str, given: Option<&Bound<'_, PyAny>>, allowed: RangeInclusive<
     let one = given.extract::<f64>().map(|value| vec![value]);
     let several = one.or_else(|_| given.extract::<Vec<f64>>())?;
     if several.is_empty() {
-        return Err(failure::of_argument(name, "at least one value is needed"));
+        return Err(failure::argument_error(name, "at least one value is needed"));
     }
     several.into_iter().map(|value| numbers::number(name, value, &allowed)).collect()
 }

@@ -1,25 +1,25 @@
 //! Class `Scene`: a scene that was read, and everything that is made of it.
 
+use crate::arguments::document;
+use crate::arguments::document::Document;
+use crate::arguments::numbers;
 use crate::cube::Cube;
 use crate::detections::Detections;
+use crate::dictionaries;
 use crate::failure;
-use crate::given::document;
-use crate::given::document::Document;
-use crate::given::numbers;
-use crate::held::handle::{Handle, opened_by, raised};
-use crate::held::reading::Reading;
 use crate::paths::Paths;
 use crate::range_doppler::RangeDoppler;
-use crate::told;
+use crate::shared::handle::{Handle, opened_by, scene_source_exception};
+use crate::shared::source_files::SourceFiles;
 use crate::tracks::Tracks;
-use crate::work::{Hears, carry_out, claim_threads, read};
+use crate::work::{ProgressListener, carry_out, claim_threads, read};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::path::PathBuf;
 use std::sync::Arc;
 use wayside::host::memory::Allowance;
-use wayside::stepwise::{OpenedScene, echoes, echoes_of_paths, endings, paths, radars};
-use wayside::{CacheLocation, CallOff, Failure, SceneSource, Settings};
+use wayside::stepwise::{OpenedScene, echoes, echoes_of_paths, extensions, paths, radars};
+use wayside::{CacheLocation, Cancellation, Failure, SceneSource, Settings};
 
 /// A virtual traffic intersection and the radar that looks at it.
 ///
@@ -41,36 +41,41 @@ impl Scene {
     fn with_opened<T: Send + 'static>(
         &self,
         py: Python<'_>,
-        hears: Hears<'_, '_>,
-        work: impl FnOnce(&OpenedScene, &CallOff) -> Result<T, Failure> + Send + 'static,
+        listener: ProgressListener<'_, '_>,
+        work: impl FnOnce(&OpenedScene, &Cancellation) -> Result<T, Failure> + Send + 'static,
     ) -> PyResult<T> {
         let opened = self.read().opened(py)?;
         let document = Arc::clone(&self.read().document);
-        carry_out(py, &[self.read().shown()], hears, move |call_off| {
-            work(&opened, call_off).map_err(|failure| document.told(failure))
+        carry_out(py, &[self.read().message_path()], listener, move |cancellation| {
+            work(&opened, cancellation).map_err(|failure| document.named_failure(failure))
         })
     }
 
     /// Cubes of all frames, of paths where these are given.
-    fn cubes(&self, py: Python<'_>, of: Option<&Bound<'_, Paths>>, hears: Hears<'_, '_>) -> PyResult<Cube> {
+    fn cubes(
+        &self,
+        py: Python<'_>,
+        of: Option<&Bound<'_, Paths>>,
+        listener: ProgressListener<'_, '_>,
+    ) -> PyResult<Cube> {
         let traced = of.map(|paths| Arc::clone(&paths.get().all));
-        let recorded = self.with_opened(py, hears, move |opened, call_off| match traced {
-            Some(traced) => echoes_of_paths(opened, &traced, call_off),
-            None => echoes(opened, call_off),
+        let recorded = self.with_opened(py, listener, move |opened, cancellation| match traced {
+            Some(traced) => echoes_of_paths(opened, &traced, cancellation),
+            None => echoes(opened, cancellation),
         })?;
         Cube::of(py, recorded)
     }
 
     /// Maps of all frames, with all that stands before them.
-    fn maps(&self, py: Python<'_>, hears: Hears<'_, '_>) -> PyResult<RangeDoppler> {
-        let cube = self.cubes(py, None, hears.part(BEFORE_LAST))?;
-        cube.maps(py, hears.part(LAST))
+    fn maps(&self, py: Python<'_>, listener: ProgressListener<'_, '_>) -> PyResult<RangeDoppler> {
+        let cube = self.cubes(py, None, listener.part(BEFORE_LAST))?;
+        cube.maps(py, listener.part(LAST))
     }
 
     /// Points and objects of all frames, likewise.
-    fn found(&self, py: Python<'_>, hears: Hears<'_, '_>) -> PyResult<Detections> {
-        let maps = self.maps(py, hears.part(BEFORE_LAST))?;
-        maps.found(py, hears.part(LAST))
+    fn found(&self, py: Python<'_>, listener: ProgressListener<'_, '_>) -> PyResult<Detections> {
+        let maps = self.maps(py, listener.part(BEFORE_LAST))?;
+        maps.found(py, listener.part(LAST))
     }
 }
 
@@ -80,10 +85,13 @@ const BEFORE_LAST: [f64; 2] = [0.0, 0.95];
 const LAST: [f64; 2] = [0.95, 1.0];
 
 /// Opens a scene; nothing is opened of one that has several radars of which none was asked for.
-fn opened(source: &SceneSource, memory: Allowance) -> Result<(Reading, Option<Arc<OpenedScene>>), Failure> {
+fn opened(
+    source: &SceneSource,
+    memory: Allowance,
+) -> Result<(SourceFiles, Option<Arc<OpenedScene>>), Failure> {
     let has_several = source.radar.is_none() && radars(source).is_ok_and(|ids| !ids.is_empty());
     let scene = if has_several { None } else { Some(opened_by(source, memory)?) };
-    Ok((Reading::of(source, scene.as_deref())?, scene))
+    Ok((SourceFiles::of(source, scene.as_deref())?, scene))
 }
 
 /// The cache that was asked for: `True` is the default one, `False` none, a path that folder.
@@ -117,14 +125,16 @@ impl Scene {
         let document = Arc::new(Document::of(source, folder)?);
         let source = SceneSource { file: document.file.clone(), model, radar, seed, accuracy_db };
         let asked = source.clone();
-        let opened =
-            read(py, &[document.shown()], Hears::all(progress), move |_| Ok(opened(&asked, memory)))?;
-        let refused = |failure| raised(py, &document.told(failure), &document, &source);
-        let (reading, scene) = opened.map_err(refused)?;
+        let opened = read(py, &[document.message_path()], ProgressListener::all(progress), move |_| {
+            Ok(opened(&asked, memory))
+        })?;
+        let refused =
+            |failure| scene_source_exception(py, &document.named_failure(failure), &document, &source);
+        let (source_files, scene) = opened.map_err(refused)?;
         if scene.as_ref().is_some_and(|scene| scene.is_looked_at()) {
             claim_threads()?;
         }
-        Ok(Self { handle: Py::new(py, Handle { document, source, memory, reading, scene })? })
+        Ok(Self { handle: Py::new(py, Handle { document, source, memory, source_files, scene })? })
     }
 
     /// Scene as other classes take it.
@@ -136,7 +146,7 @@ impl Scene {
     /// Text of the scene as TOML, which `wayside run` takes.
     #[getter]
     fn toml(&self) -> &str {
-        &self.read().reading.text
+        &self.read().source_files.text
     }
 
     /// Name of the scene.
@@ -166,7 +176,7 @@ impl Scene {
     /// Ids of several radars; empty where the scene has one.
     #[getter]
     fn radars(&self) -> Vec<String> {
-        self.read().reading.radars.clone()
+        self.read().source_files.radars.clone()
     }
 
     /// The radar in the words of the field, as `radar` of summary.json: carrier_hz, bandwidth_hz,
@@ -174,7 +184,7 @@ impl Scene {
     #[getter]
     fn radar<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let told = serde_json::to_string(&self.read().opened(py)?.radar());
-        told::json(py, &told.map_err(|error| failure::of_argument("radar", error))?)
+        dictionaries::json(py, &told.map_err(|error| failure::argument_error("radar", error))?)
     }
 
     /// Cost that a run of all frames is expected to have, before anything runs.
@@ -182,7 +192,7 @@ impl Scene {
     /// frames, processor_s, processor_from_s, processor_to_s (nine of ten runs lie between), wall_s, threads,
     /// expected_memory_mib (held when most is), memory_mib (no more is held).
     fn cost<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let cost = self.with_opened(py, Hears::all(None), |opened, _| opened.cost())?;
+        let cost = self.with_opened(py, ProgressListener::all(None), |opened, _| opened.cost())?;
         let [from, to] = cost.processor_between_s;
         let told = PyDict::new(py);
         told.set_item("frames", cost.frames)?;
@@ -199,7 +209,7 @@ impl Scene {
     /// Scattering paths of every frame, as `wayside paths` traces them.
     #[pyo3(signature = (*, progress=None))]
     fn trace(&self, py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Paths> {
-        Ok(Paths { all: Arc::new(self.with_opened(py, Hears::all(progress), paths)?) })
+        Ok(Paths { all: Arc::new(self.with_opened(py, ProgressListener::all(progress), paths)?) })
     }
 
     /// Radar cubes of every frame, as `wayside echo` makes them; of `paths` where they are given.
@@ -210,19 +220,19 @@ impl Scene {
         paths: Option<&Bound<'_, Paths>>,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Cube> {
-        self.cubes(py, paths, Hears::all(progress))
+        self.cubes(py, paths, ProgressListener::all(progress))
     }
 
     /// Range-Doppler maps of every frame.
     #[pyo3(signature = (*, progress=None))]
     fn range_doppler(&self, py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<RangeDoppler> {
-        self.maps(py, Hears::all(progress))
+        self.maps(py, ProgressListener::all(progress))
     }
 
     /// Points and objects of every frame.
     #[pyo3(signature = (*, progress=None))]
     fn detect(&self, py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Detections> {
-        self.found(py, Hears::all(progress))
+        self.found(py, ProgressListener::all(progress))
     }
 
     /// Points of every frame, as `Detections.points`.
@@ -232,7 +242,7 @@ impl Scene {
         py: Python<'py>,
         progress: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        self.found(py, Hears::all(progress))?.points(py)
+        self.found(py, ProgressListener::all(progress))?.points(py)
     }
 
     /// Objects of every frame, as `Detections.objects`.
@@ -242,14 +252,14 @@ impl Scene {
         py: Python<'py>,
         progress: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        self.found(py, Hears::all(progress))?.objects(py)
+        self.found(py, ProgressListener::all(progress))?.objects(py)
     }
 
     /// Objects followed over the frames.
     #[pyo3(signature = (*, progress=None))]
     fn track(&self, py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Tracks> {
-        let hears = Hears::all(progress);
-        self.found(py, hears.part(BEFORE_LAST))?.tracked(py, hears.part(LAST))
+        let listener = ProgressListener::all(progress);
+        self.found(py, listener.part(BEFORE_LAST))?.tracked(py, listener.part(LAST))
     }
 
     /// Classes of the objects, as `Detections.classify`.
@@ -260,8 +270,8 @@ impl Scene {
         model: Option<PathBuf>,
         progress: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let hears = Hears::all(progress);
-        self.found(py, hears.part(BEFORE_LAST))?.classified(py, model, hears.part(LAST))
+        let listener = ProgressListener::all(progress);
+        self.found(py, listener.part(BEFORE_LAST))?.classified(py, model, listener.part(LAST))
     }
 
     /// Runs everything and writes the files of `wayside run` into the folder `out`.
@@ -279,19 +289,20 @@ impl Scene {
         progress: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let Handle { document, memory, .. } = self.read();
-        endings::check_folder(&out).map_err(|failure| failure::raised(py, &failure, &[Some(&out)]))?;
+        extensions::check_folder(&out)
+            .map_err(|failure| failure::exception_of(py, &failure, &[Some(&out)]))?;
         let (scene, memory, folder) = (self.read().source_again(py)?, *memory, out.clone());
         let (document, model) = (Arc::clone(document), classifier.clone());
         let cache = cache.map(self::cache).transpose()?.flatten();
         let of_cache = cache.as_ref().and_then(|cache| cache.folder.clone());
-        let files = [self.read().shown(), Some(out.as_path()), model.as_deref(), of_cache.as_deref()];
-        carry_out(py, &files, Hears::all(progress), move |call_off| {
+        let files = [self.read().message_path(), Some(out.as_path()), model.as_deref(), of_cache.as_deref()];
+        carry_out(py, &files, ProgressListener::all(progress), move |cancellation| {
             let of_file = Settings::of(&scene.file, folder);
-            let call_off = call_off.clone();
-            let settings = Settings { scene, cache, classifier, memory, call_off, ..of_file };
-            wayside::run(&settings).map(drop).map_err(|failure| document.told(failure))
+            let cancellation = cancellation.clone();
+            let settings = Settings { scene, cache, classifier, memory, cancellation, ..of_file };
+            wayside::run(&settings).map(drop).map_err(|failure| document.named_failure(failure))
         })?;
-        told::json(py, &std::fs::read_to_string(out.join("summary.json"))?)
+        dictionaries::json(py, &std::fs::read_to_string(out.join("summary.json"))?)
     }
 
     fn __repr__(&self) -> String {

@@ -1,23 +1,23 @@
 //! Class `Tracks`: vehicles followed over frames.
 
-use crate::arrays::{Field, Kept, Records};
-use crate::held::artifacts;
+use crate::arrays::{CachedArray, Field, Records};
+use crate::shared::artifacts;
 use artifact::tracks::{Track, Tracks as Schema};
 use pyo3::prelude::*;
 use std::path::PathBuf;
-use wayside::stepwise::Recorded;
+use wayside::stepwise::CompleteArtifact;
 
 /// Tracks of the frames of a cube.
 #[pyclass(frozen, module = "wayside")]
 pub(crate) struct Tracks {
-    all: Recorded<Schema>,
-    records: Kept<PyAny>,
+    all: CompleteArtifact<Schema>,
+    records: CachedArray<PyAny>,
 }
 
 impl Tracks {
     /// Tracks of an artifact.
-    pub(crate) fn of(all: Recorded<Schema>) -> Self {
-        Self { all, records: Kept::default() }
+    pub(crate) fn of(all: CompleteArtifact<Schema>) -> Self {
+        Self { all, records: CachedArray::default() }
     }
 }
 

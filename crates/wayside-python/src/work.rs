@@ -1,19 +1,19 @@
 //! Work of the library beside the interpreter: on a thread of its own, so that Ctrl-C is heard at once and
 //! progress is told, while other threads of Python go on.
 
+use crate::arguments::numbers;
 use crate::failure;
-use crate::given::numbers;
 use pyo3::prelude::*;
 use std::path::Path;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
 use wayside::host::progress::{self, Caller};
-use wayside::{CallOff, Failure};
+use wayside::{Cancellation, Failure};
 
 /// Steps in which the work is looked at: Ctrl-C is heard within one.
-const LOOK: Duration = Duration::from_millis(50);
-/// Time that work which was called off has to end; a frame under way goes on behind it and is thrown away.
+const POLL_INTERVAL: Duration = Duration::from_millis(50);
+/// Time that cancelled work has to end; a frame under way goes on behind it and is thrown away.
 const ENDING: Duration = Duration::from_millis(500);
 
 /// Process whose threads the library works with; 0 where it has none yet.
@@ -40,21 +40,21 @@ fn has_threads() -> PyResult<()> {
     Err(pyo3::exceptions::PyRuntimeError::new_err(rule))
 }
 
-/// A listener of progress, and the part of the whole that the work is which it hears of.
+/// A listener of progress, and the share of the whole that the reported work is.
 #[derive(Clone, Copy)]
-pub(crate) struct Hears<'a, 'py> {
+pub(crate) struct ProgressListener<'a, 'py> {
     listener: Option<&'a Bound<'py, PyAny>>,
     from: f64,
     to: f64,
 }
 
-impl<'a, 'py> Hears<'a, 'py> {
-    /// Hears of the work as of the whole.
+impl<'a, 'py> ProgressListener<'a, 'py> {
+    /// Listener of the work as the whole.
     pub(crate) fn all(listener: Option<&'a Bound<'py, PyAny>>) -> Self {
         Self { listener, from: 0.0, to: 1.0 }
     }
 
-    /// Hears of a part of this work, between these two shares of it.
+    /// Listener of a part of this work, between these two shares of it.
     pub(crate) fn part(self, shares: [f64; 2]) -> Self {
         let [from, to] = shares.map(|share| self.of_whole(share));
         Self { from, to, ..self }
@@ -75,21 +75,21 @@ impl<'a, 'py> Hears<'a, 'py> {
     }
 }
 
-/// Carries work out, by all threads, while the interpreter does something else. `hears` is told what is under
-/// way and its share, about twenty times a second, and once more at the end with a share of 1; the share
-/// never falls. `files` are those that the work was given, first the one that a failure is about which names
-/// none.
+/// Carries work out, by all threads, while the interpreter does something else. `listener` is told what is
+/// under way and its share, about twenty times a second, and once more at the end with a share of 1; the
+/// share never falls. `files` are those that the work was given, first the one that a failure is about which
+/// names none.
 ///
 /// # Errors
-/// Exceptions of failures, of Ctrl-C, and of what hears of the progress; a process without threads.
+/// Exceptions of failures, of Ctrl-C, and of the listener of progress; a process without threads.
 pub(crate) fn carry_out<T: Send + 'static>(
     py: Python<'_>,
     files: &[Option<&Path>],
-    hears: Hears<'_, '_>,
-    work: impl FnOnce(&CallOff) -> Result<T, Failure> + Send + 'static,
+    listener: ProgressListener<'_, '_>,
+    work: impl FnOnce(&Cancellation) -> Result<T, Failure> + Send + 'static,
 ) -> PyResult<T> {
     claim_threads()?;
-    read(py, files, hears, work)
+    read(py, files, listener, work)
 }
 
 /// Carries work out that needs no other threads, as [`carry_out`] does: a process may be forked after it.
@@ -99,32 +99,32 @@ pub(crate) fn carry_out<T: Send + 'static>(
 pub(crate) fn read<T: Send + 'static>(
     py: Python<'_>,
     files: &[Option<&Path>],
-    hears: Hears<'_, '_>,
-    work: impl FnOnce(&CallOff) -> Result<T, Failure> + Send + 'static,
+    listener: ProgressListener<'_, '_>,
+    work: impl FnOnce(&Cancellation) -> Result<T, Failure> + Send + 'static,
 ) -> PyResult<T> {
     has_threads()?;
-    let call_off = CallOff::default();
+    let cancellation = Cancellation::default();
     let (sender, mut results) = channel();
-    let (asked, caller) = (call_off.clone(), Caller::another());
+    let (asked, caller) = (cancellation.clone(), Caller::new());
     let thread = std::thread::spawn(move || sender.send(caller.during(|| work(&asked))).is_ok());
     let mut told = 0.0;
     let result = loop {
-        match within(py, &mut results, LOOK) {
+        match receive_within(py, &mut results, POLL_INTERVAL) {
             Ok(result) => break result,
-            Err(RecvTimeoutError::Disconnected) => return Err(broken(thread)),
-            Err(RecvTimeoutError::Timeout) => look(py, (hears, &mut told), caller).inspect_err(|_| {
-                call_off.call_off();
-                let _ = within(py, &mut results, ENDING);
+            Err(RecvTimeoutError::Disconnected) => return Err(panic_error(thread)),
+            Err(RecvTimeoutError::Timeout) => poll(py, (listener, &mut told), caller).inspect_err(|_| {
+                cancellation.cancel();
+                let _ = receive_within(py, &mut results, ENDING);
             })?,
         }
     };
-    let result = result.map_err(|failure| failure::raised(py, &failure, files))?;
-    hears.end()?;
+    let result = result.map_err(|failure| failure::exception_of(py, &failure, files))?;
+    listener.end()?;
     Ok(result)
 }
 
 /// A result that comes within a time, for which the interpreter is let go.
-fn within<T: Send>(
+fn receive_within<T: Send>(
     py: Python<'_>,
     results: &mut Receiver<Result<T, Failure>>,
     time: Duration,
@@ -133,17 +133,21 @@ fn within<T: Send>(
 }
 
 /// Exception of a thread that ended without a result: a bug of the library.
-fn broken(thread: std::thread::JoinHandle<bool>) -> PyErr {
+fn panic_error(thread: std::thread::JoinHandle<bool>) -> PyErr {
     let said = thread.join().err().and_then(|panic| panic.downcast::<String>().ok());
     let said = said.map_or_else(|| "it says nothing".to_owned(), |text| *text);
     pyo3::exceptions::PyRuntimeError::new_err(format!("a bug of wayside: {said}"))
 }
 
-fn look(py: Python<'_>, (hears, told): (Hears<'_, '_>, &mut f64), caller: Caller) -> PyResult<()> {
+fn poll(
+    py: Python<'_>,
+    (listener, told): (ProgressListener<'_, '_>, &mut f64),
+    caller: Caller,
+) -> PyResult<()> {
     py.check_signals()?;
-    let Some(shown) = progress::shown_to(caller, Instant::now(), Duration::ZERO) else { return Ok(()) };
-    *told = told.max(shown.share);
-    hears.tell(&shown.text, *told)
+    let Some(state) = progress::state_for(caller, Instant::now(), Duration::ZERO) else { return Ok(()) };
+    *told = told.max(state.share);
+    listener.tell(&state.text, *told)
 }
 
 /// Sends the remarks of the library to the logger `wayside` from now on.
@@ -164,11 +168,11 @@ pub(crate) fn set_threads(threads: &Bound<'_, PyAny>) -> PyResult<()> {
     let threads = numbers::whole("threads", threads, &numbers::THREADS)? as usize;
     claim_threads()?;
     let built = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
-    built.map_err(|error| failure::of_argument("threads", error))
+    built.map_err(|error| failure::argument_error("threads", error))
 }
 
 /// Removes the temporary files of work that was called off and is still under way.
 #[pyfunction]
 pub(crate) fn withdraw() {
-    drop(artifact::whole_file::abandon_all()); // the interpreter may still end other work
+    drop(artifact::atomic_file::remove_all_temporaries()); // the interpreter may still end other work
 }

@@ -30,7 +30,7 @@ pub use sweeps as sweep;
 
 pub use chain::cache::CacheLocation;
 pub use chain::loading::SceneSource;
-pub use host::call_off::CallOff;
+pub use host::cancellation::Cancellation;
 pub use host::failure::Failure;
 pub use host::memory::Allowance;
 pub use outcome::summary::{RadarsSummary, Summary};

@@ -3,12 +3,12 @@
 
 pub mod cli;
 pub mod commands;
-pub mod means;
+pub mod command_context;
 pub mod terminal;
 mod exit_codes;
 mod export_formats;
 pub mod interrupt;
-mod out_endings;
+mod out_extension;
 #[cfg(feature = "classifier")]
 mod learning_cli;
 mod suggestion;
@@ -19,11 +19,11 @@ mod option_words;
 mod refused_numbers;
 
 use cli::General;
-use means::Means;
+use command_context::CommandContext;
 use pipeline::host::failure::Failure;
 use pipeline::host::memory::Allowance;
 use pipeline::host::progress::Work;
-use reporting::report::Making;
+use reporting::report::ReportOrigin;
 use std::process::ExitCode;
 
 /// Runs the binary `wayside`.
@@ -34,7 +34,7 @@ pub fn main() -> ExitCode {
     };
     let command = arguments.command;
     terminal::expect(command.results());
-    enter("wayside", word, &arguments.general, |means| commands::dispatch(command, means))
+    enter("wayside", word, &arguments.general, |context| commands::dispatch(command, context))
 }
 
 /// Carries out a command of the program called `program`: sets up threads, memory, progress and interrupts,
@@ -43,7 +43,7 @@ pub fn enter(
     program: &str,
     command: String,
     general: &General,
-    work: impl FnOnce(&Means) -> Result<(), Failure>,
+    work: impl FnOnce(&CommandContext) -> Result<(), Failure>,
 ) -> ExitCode {
     interrupt::install();
     if !general.quiet {
@@ -51,10 +51,10 @@ pub fn enter(
     }
     let words = std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned());
     let memory = Allowance::of(general.memory_limit);
-    let means = Means { command, memory, making: Making::by(program, words) };
+    let context = CommandContext { command, memory, origin: ReportOrigin::by(program, words) };
     let ended = limit_threads(general.threads).and_then(|()| {
-        let _under_way = Work::begin(means.command.as_str());
-        work(&means)
+        let _under_way = Work::begin(context.command.as_str());
+        work(&context)
     });
     exit_codes::of(ended)
 }

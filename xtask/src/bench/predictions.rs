@@ -10,7 +10,7 @@ mod timed_scene;
 
 use crate::cli::BenchArguments;
 use crate::project::project_root;
-use child::Taken;
+use child::MeasuredCost;
 pub(crate) use cost::{PredictedCost, RATIOS, Spread};
 use fit::CountedRun;
 use row::PredictionRow;
@@ -21,7 +21,7 @@ use wayside::chain::expectation::rates::{HELD_KINDS, HELD_MIB, SECONDS};
 use wayside::chain::expectation::work::ITEMS;
 use wayside::chain::link::Chain;
 use wayside::chain::loading;
-use wayside::chain::memory_estimate::Load;
+use wayside::chain::memory_estimate::MemoryLoad;
 use wayside::chain::plan::FramePlan;
 use wayside::host::failure::Failure;
 use wayside::host::processor_time;
@@ -32,7 +32,7 @@ use wayside::{Allowance, SceneSource};
 /// predictions too.
 pub(super) fn run(arguments: &BenchArguments) -> Result<(), Failure> {
     let folder = tempfile::tempdir().map_err(|e| Failure::System(format!("no temporary folder: {e}")))?;
-    let known = arguments.out.as_deref().map(table::taken).transpose()?.unwrap_or_default();
+    let known = arguments.out.as_deref().map(table::measured_costs).transpose()?.unwrap_or_default();
     let drawn =
         (0..arguments.scenes).map(|number| random_scenes::scene(arguments.seed, number, &project_root()));
     let scenes = drawn.chain(arguments.with.iter().map(|file| TimedScene::of_file(file)));
@@ -42,7 +42,7 @@ pub(super) fn run(arguments: &BenchArguments) -> Result<(), Failure> {
         let known = known.get(&scene.name);
         let Some(row) = row_unless_refused(scene, folder.path(), known)? else { continue };
         terminal::line(line(&row));
-        terminal::call_off().check()?;
+        terminal::cancellation().check()?;
         rows.push(row);
         if let (Some(file), None) = (&arguments.out, known) {
             // Written after each scene, so that hours of work do not depend on the last one.
@@ -60,11 +60,11 @@ pub(super) fn run(arguments: &BenchArguments) -> Result<(), Failure> {
         timed.extend(more_timed);
         held.extend(more_held);
     }
-    tell_fitted(&timed, &held);
+    print_fitted_rates(&timed, &held);
     Ok(())
 }
 
-fn tell_fitted(timed: &[CountedRun<ITEMS>], held: &[CountedRun<HELD_KINDS>]) {
+fn print_fitted_rates(timed: &[CountedRun<ITEMS>], held: &[CountedRun<HELD_KINDS>]) {
     terminal::line(format!("rates that would have told {} runs best:", timed.len()));
     for ((item, _), rate) in SECONDS.iter().zip(fit::rates(timed, SECONDS.map(|(_, rate)| rate))) {
         terminal::line(format!("    (WorkKind::{item:?}, {rate:.2e}),"));
@@ -131,7 +131,7 @@ fn quantiles(rows: &[PredictionRow]) -> Vec<String> {
 fn row_unless_refused(
     scene: TimedScene,
     folder: &Path,
-    known: Option<&Taken>,
+    known: Option<&MeasuredCost>,
 ) -> Result<Option<PredictionRow>, Failure> {
     match row(scene, folder, known) {
         Err(refused @ (Failure::Refused(_) | Failure::Unplaced(_))) => {
@@ -142,7 +142,11 @@ fn row_unless_refused(
     }
 }
 
-fn row(scene: TimedScene, folder: &Path, known: Option<&Taken>) -> Result<Option<PredictionRow>, Failure> {
+fn row(
+    scene: TimedScene,
+    folder: &Path,
+    known: Option<&MeasuredCost>,
+) -> Result<Option<PredictionRow>, Failure> {
     let file = scene.file(folder)?;
     let taken = match known {
         Some(taken) => Some(*taken),
@@ -163,7 +167,7 @@ fn on_threads<T: Send>(threads: Option<u16>, does: impl FnOnce() -> T + Send) ->
 }
 
 /// Predicts seconds and memory of a scene as `run --dry-run` does, on a machine of this speed.
-fn expected(file: &Path, machine_speed: f64) -> Result<(Expectation, Load, usize), Failure> {
+fn expected(file: &Path, machine_speed: f64) -> Result<(Expectation, MemoryLoad, usize), Failure> {
     let arguments = SceneSource { file: file.to_owned(), ..SceneSource::default() };
     let loaded = loading::scene(&arguments, None)?;
     let model = loading::model(None)?;
@@ -174,7 +178,7 @@ fn expected(file: &Path, machine_speed: f64) -> Result<(Expectation, Load, usize
 }
 
 fn line(row: &PredictionRow) -> String {
-    let Taken { processor_s, peak_mib, .. } = row.taken;
+    let MeasuredCost { processor_s, peak_mib, .. } = row.taken;
     let Expectation { seconds, expected_memory_mib: expected_mib, memory_mib, .. } = row.expected;
     format!(
         "{}: {seconds:.1} s said, {processor_s:.1} s taken, × {:.2}; {expected_mib:.0} MiB said, at most \

@@ -16,7 +16,7 @@ pub(super) struct Job {
 
 /// Kind of a rival's program.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Language {
+pub(super) enum RivalProgram {
     /// `rivals.py` with this package.
     Python(&'static str),
     /// A built example: package, example, and the crate that it uses.
@@ -24,7 +24,7 @@ pub(super) enum Language {
 }
 
 /// Result of a rival.
-pub(super) struct Answer {
+pub(super) struct RivalOutput {
     /// Name of the program with its version.
     pub(super) program: String,
     /// Seconds of the fastest run.
@@ -34,7 +34,7 @@ pub(super) struct Answer {
 
 /// Advice for installing a missing rival.
 #[derive(Debug)]
-pub(crate) struct NotHere {
+pub(crate) struct MissingProgram {
     pub(crate) program: String,
     pub(crate) advice: String,
 }
@@ -43,11 +43,11 @@ const SCRIPT: &str = include_str!("rivals.py");
 
 impl Job {
     /// Has a rival do the work, with some arguments beside the input.
-    pub(super) fn given_to(
+    pub(super) fn run_with(
         &self,
-        rival: Language,
+        rival: RivalProgram,
         words: &[String],
-    ) -> Result<Result<Answer, NotHere>, Failure> {
+    ) -> Result<Result<RivalOutput, MissingProgram>, Failure> {
         let folder = tempfile::tempdir().map_err(|e| Failure::System(format!("no temporary folder: {e}")))?;
         let input = folder.path().join("input.raw");
         std::fs::write(&input, &self.input).map_err(|e| Failure::system(&input, "write", e))?;
@@ -56,18 +56,18 @@ impl Job {
         // A program that is missing, lacks a package, or fails is treated the same here.
         let done = command.output().ok().filter(|done| done.status.success());
         let answer = done.and_then(|done| answer(&String::from_utf8_lossy(&done.stdout), folder.path()));
-        Ok(answer.ok_or_else(|| rival.not_here()))
+        Ok(answer.ok_or_else(|| rival.missing()))
     }
 }
 
 /// Reads a rival's answer from the line `program|seconds` and the file `result.raw`.
-fn answer(text: &str, folder: &Path) -> Option<Answer> {
+fn answer(text: &str, folder: &Path) -> Option<RivalOutput> {
     let (program, seconds) = text.lines().last()?.split_once('|')?;
     let result = std::fs::read(folder.join("result.raw")).ok()?;
-    Some(Answer { program: program.into(), seconds: seconds.trim().parse().ok()?, result })
+    Some(RivalOutput { program: program.into(), seconds: seconds.trim().parse().ok()?, result })
 }
 
-impl Answer {
+impl RivalOutput {
     /// The result as numbers in double precision.
     pub(super) fn numbers(&self) -> impl Iterator<Item = f64> {
         self.result.as_chunks::<8>().0.iter().map(|bytes| f64::from_le_bytes(*bytes))
@@ -81,7 +81,7 @@ pub(super) fn complex(bytes: &[u8]) -> Vec<Complex64> {
     numbers.as_chunks::<2>().0.iter().map(|[re, im]| Complex64::new(*re, *im)).collect()
 }
 
-impl Language {
+impl RivalProgram {
     fn command(self) -> Command {
         match self {
             Self::Python(_) => {
@@ -101,13 +101,13 @@ impl Language {
         }
     }
 
-    fn not_here(self) -> NotHere {
+    fn missing(self) -> MissingProgram {
         match self {
-            Self::Python(package) => NotHere {
+            Self::Python(package) => MissingProgram {
                 program: package.into(),
                 advice: format!("python3 -m pip install numpy {package}; PYTHON names another interpreter"),
             },
-            Self::Example(package, example, holds) => NotHere {
+            Self::Example(package, example, holds) => MissingProgram {
                 program: holds.into(),
                 advice: format!("cargo build --release -p {package} --example {example}"),
             },

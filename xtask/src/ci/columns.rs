@@ -1,7 +1,7 @@
 //! Check that comments fit the line width; rustfmt checks code (`rustfmt.toml`). Tables, programs and
 //! formulas in comments may be wider.
 
-use crate::ci::findings::{COLUMNS, none_of, read, sources};
+use crate::ci::findings::{COLUMNS, fail_on, read, sources};
 use wayside::host::failure::Failure;
 
 pub(super) fn check() -> Result<(), Failure> {
@@ -14,7 +14,7 @@ pub(super) fn check() -> Result<(), Failure> {
                 .map(|line| format!("{}:{line}: more than {COLUMNS} columns", file.display())),
         );
     }
-    none_of(broken)
+    fail_on(broken)
 }
 
 /// Numbers of lines of prose that are too long.

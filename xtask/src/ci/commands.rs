@@ -20,32 +20,32 @@ impl Tally {
     /// Adds a line `test result: ok. 3 passed; 0 failed; …`.
     pub(super) fn count(&mut self, line: &str) {
         if let Some(rest) = line.strip_prefix("test result:") {
-            self.passed += before(rest, " passed");
-            self.failed += before(rest, " failed");
+            self.passed += number_before(rest, " passed");
+            self.failed += number_before(rest, " failed");
         }
     }
 }
 
 /// Counts a skipped check, and prints the reason.
-pub(super) fn skipped(tally: &mut Tally, why: &str) -> Result<(), Failure> {
+pub(super) fn skip(tally: &mut Tally, why: &str) -> Result<(), Failure> {
     terminal::line(format!("skipped: {why}"));
     tally.skipped += 1;
     Ok(())
 }
 
-pub(super) fn before(line: &str, word: &str) -> u64 {
+pub(super) fn number_before(line: &str, word: &str) -> u64 {
     let number = line.split(word).next().and_then(|l| l.split_whitespace().last());
     number.and_then(|n| n.parse().ok()).unwrap_or(0)
 }
 
 /// Runs a command in the project's root, and fails unless it succeeds.
-pub(super) fn finished(command: &mut Command) -> Result<(), Failure> {
-    finished_in(&project_root(), command)
+pub(super) fn run_checked(command: &mut Command) -> Result<(), Failure> {
+    run_checked_in(&project_root(), command)
 }
 
 /// Runs a command in a folder, and fails unless it succeeds.
-pub(super) fn finished_in(folder: &Path, command: &mut Command) -> Result<(), Failure> {
-    let words = said(command);
+pub(super) fn run_checked_in(folder: &Path, command: &mut Command) -> Result<(), Failure> {
+    let words = command_line(command);
     let status = command.current_dir(folder).stdin(Stdio::null()).status();
     match status {
         Ok(status) if status.success() => Ok(()),
@@ -55,14 +55,14 @@ pub(super) fn finished_in(folder: &Path, command: &mut Command) -> Result<(), Fa
 }
 
 /// Whether a command succeeds; its output is discarded.
-pub(super) fn is_good(command: &mut Command) -> bool {
+pub(super) fn succeeds(command: &mut Command) -> bool {
     command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
     command.status().is_ok_and(|status| status.success())
 }
 
-/// Runs a command like [`finished`], showing each line of standard output and counting the tests in it.
-pub(super) fn counted(command: &mut Command, tally: &mut Tally) -> Result<(), Failure> {
-    let words = said(command);
+/// Runs a command like [`run_checked`], showing each line of standard output and counting the tests in it.
+pub(super) fn run_tests(command: &mut Command, tally: &mut Tally) -> Result<(), Failure> {
+    let words = command_line(command);
     let failed = |e: std::io::Error| Failure::System(format!("`{words}`: {e}"));
     command.current_dir(project_root()).stdin(Stdio::null()).stdout(Stdio::piped());
     let mut child = command.spawn().map_err(failed)?;
@@ -76,7 +76,7 @@ pub(super) fn counted(command: &mut Command, tally: &mut Tally) -> Result<(), Fa
     if status.success() { Ok(()) } else { Err(Failure::Refused(format!("`{words}` ended with {status}"))) }
 }
 
-pub(super) fn said(command: &Command) -> String {
+pub(super) fn command_line(command: &Command) -> String {
     let words = std::iter::once(command.get_program()).chain(command.get_args());
     words.map(|w| w.to_string_lossy().into_owned()).collect::<Vec<_>>().join(" ")
 }

@@ -9,7 +9,7 @@ use wayside::host::failure::Failure;
 pub(super) const COLUMNS: usize = 110;
 
 /// A failure with a line for each finding, if there are any.
-pub(super) fn none_of(findings: Vec<String>) -> Result<(), Failure> {
+pub(super) fn fail_on(findings: Vec<String>) -> Result<(), Failure> {
     if findings.is_empty() { Ok(()) } else { Err(Failure::Refused(findings.join("\n"))) }
 }
 

@@ -6,7 +6,7 @@
 //! may use it.
 //! `fuzzing` is only for tests, and its own tests may use all crates.
 
-use crate::ci::findings::none_of;
+use crate::ci::findings::fail_on;
 use crate::project::project_root;
 use std::process::Command;
 use wayside::host::failure::Failure;
@@ -17,20 +17,20 @@ pub(super) fn check() -> Result<(), Failure> {
     let output = Command::new("cargo").args(arguments).current_dir(project_root()).output();
     let output = output.map_err(|e| Failure::System(format!("cargo metadata: {e}")))?;
     let metadata: serde_json::Value = serde_json::from_slice(&output.stdout).map_err(Failure::refused)?;
-    none_of(forbidden(&edges(&metadata)).into_iter().chain(left_out(&metadata)).collect())
+    fail_on(forbidden(&edges(&metadata)).into_iter().chain(untested_crates(&metadata)).collect())
 }
 
 /// Crates outside a plain `cargo test`: each has a check of its own (`training`, `osi`, `python`).
-const APART: [&str; 3] = ["classifier-training", "interchange", "wayside-python"];
+const SEPARATELY_TESTED: [&str; 3] = ["classifier-training", "interchange", "wayside-python"];
 
 /// A sentence for each crate outside a plain `cargo test`, except those known.
-fn left_out(metadata: &serde_json::Value) -> Vec<String> {
+fn untested_crates(metadata: &serde_json::Value) -> Vec<String> {
     let of = |list: &str| -> Vec<String> {
         let ids = metadata[list].as_array().into_iter().flatten().filter_map(|id| id.as_str());
         ids.map(str::to_owned).collect()
     };
     let known = of("workspace_default_members");
-    let is_apart = |id: &String| APART.iter().any(|name| id.contains(&format!("/{name}#")));
+    let is_apart = |id: &String| SEPARATELY_TESTED.iter().any(|name| id.contains(&format!("/{name}#")));
     let forgotten = |id: &String| !known.contains(id) && !is_apart(id);
     let sentence = |id: String| format!("Cargo.toml: {id} is no default member: its tests would not run");
     of("workspace_members").into_iter().filter(forgotten).map(sentence).collect()
@@ -67,9 +67,9 @@ fn forbidden(edges: &[Edge]) -> Vec<String> {
     const LEAVES: [&str; 6] = ["artifact", "bodies", "interchange", "plotting", "po-sbr", "radar"];
     const STAGES: [&str; 6] = ["scene", "bart-rcs", "fmcw-echo", "dsp", "classifier", "evaluation"];
     /// Crates above the stages, from the lowest.
-    const FLOORS: [&str; 6] = ["pipeline", "reporting", "sweeps", "formats", "learning", "wayside"];
+    const UPPER_LAYERS: [&str; 6] = ["pipeline", "reporting", "sweeps", "formats", "learning", "wayside"];
     let is_leaf = |name: &str| LEAVES.contains(&name);
-    let floor = |name: &str| FLOORS.iter().position(|floor| *floor == name);
+    let floor = |name: &str| UPPER_LAYERS.iter().position(|floor| *floor == name);
     let is_below = |to: &str, from: usize| floor(to).is_some_and(|to| to < from);
     let may = |from: &str, to: &str| match from {
         "xtask" => true,
@@ -111,7 +111,7 @@ mod tests {
                 [id("dsp"), id("evaluation"), id("classifier-training"), id("wayside-python")],
             "workspace_default_members": [id("dsp")],
         });
-        let found = left_out(&metadata);
+        let found = untested_crates(&metadata);
         assert_eq!(found.len(), 1, "{found:?}");
         assert!(found[0].contains("crates/evaluation#"), "{found:?}");
     }

@@ -1,7 +1,7 @@
 //! Check of the page of input limits: it lists each constant whose name marks it as a limit, with its value
 //! and its file.
 
-use crate::ci::findings::{none_of, read};
+use crate::ci::findings::{fail_on, read};
 use crate::house::{self, folders};
 use crate::project::project_root;
 use std::collections::BTreeMap;
@@ -11,15 +11,15 @@ use wayside::host::failure::Failure;
 const PAGE: &str = "docs/limits.md";
 
 /// A constant by its file and name.
-type Place = (String, String);
+type ConstantId = (String, String);
 
 pub(super) fn check() -> Result<(), Failure> {
     let root = project_root();
-    none_of(findings(&constants(&root)?, &rows(&read(&root.join(PAGE))?)))
+    fail_on(findings(&constants(&root)?, &rows(&read(&root.join(PAGE))?)))
 }
 
 /// All numeric constants, with values as the page shows them.
-fn constants(root: &Path) -> Result<BTreeMap<Place, String>, Failure> {
+fn constants(root: &Path) -> Result<BTreeMap<ConstantId, String>, Failure> {
     let mut all = BTreeMap::new();
     for folder in house::crates(root)? {
         for file in folders::sources(&folder.join("src")) {
@@ -94,7 +94,7 @@ fn grouped(value: f64) -> String {
 }
 
 /// Values of the page, by file and name: rows end with the value, the constant and its file.
-fn rows(page: &str) -> Vec<(Place, String)> {
+fn rows(page: &str) -> Vec<(ConstantId, String)> {
     let row = |line: &str| {
         let cells: Vec<&str> = line.strip_prefix('|')?.strip_suffix('|')?.split('|').map(str::trim).collect();
         let [.., value, name, file] = cells[..] else { return None };
@@ -105,9 +105,9 @@ fn rows(page: &str) -> Vec<(Place, String)> {
 }
 
 /// A sentence for each limit that the page lacks or lists with another value.
-fn findings(constants: &BTreeMap<Place, String>, rows: &[(Place, String)]) -> Vec<String> {
+fn findings(constants: &BTreeMap<ConstantId, String>, rows: &[(ConstantId, String)]) -> Vec<String> {
     let is_limit = |name: &str| name.split('_').any(|word| word == "LIMIT");
-    let is_told = |place: &Place| rows.iter().any(|(told, _)| told == place);
+    let is_told = |place: &ConstantId| rows.iter().any(|(told, _)| told == place);
     let untold = constants.keys().filter(|place| is_limit(&place.1) && !is_told(place));
     let untold = untold.map(|(file, name)| format!("{PAGE}: no row tells of `{name}` of {file}"));
     let wrong = rows.iter().filter_map(|(place, told)| match constants.get(place) {
@@ -143,7 +143,7 @@ mod tests {
     #[test]
     fn a_limit_that_is_not_told_and_one_that_is_told_wrong_are_found() {
         let place = |name: &str| ("a.rs".to_owned(), name.to_owned());
-        let constants: BTreeMap<Place, String> =
+        let constants: BTreeMap<ConstantId, String> =
             constants_of(SOURCE).into_iter().map(|(name, value)| (place(&name), value)).collect();
         let page = "| what | most | constant | file |\n|---|---|---|---|\n\
                     | a line | 1,048,576 | `LINE_LIMIT` | `a.rs` |\n\

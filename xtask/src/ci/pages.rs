@@ -4,7 +4,7 @@
 mod libraries; // listed, described and used
 pub(super) mod navigation; // pages of the site
 
-use crate::ci::findings::{self, COLUMNS, none_of, pages, read};
+use crate::ci::findings::{self, COLUMNS, fail_on, pages, read};
 use crate::project::project_root;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -31,7 +31,7 @@ pub(super) fn check() -> Result<(), Failure> {
         }
     }
     broken.extend(libraries::findings(&root)?);
-    none_of(broken)
+    fail_on(broken)
 }
 
 /// Paths of all source files of the workspace, relative to its root.

@@ -2,7 +2,7 @@
 
 mod pictures;
 
-use crate::ci::commands::{Tally, counted, finished};
+use crate::ci::commands::{Tally, run_checked, run_tests};
 use crate::project::project_root;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -11,14 +11,14 @@ use wayside::outcome::summary::{FrameSummary, Summary};
 
 /// The second command: all tests and doctests.
 pub(super) fn tests(tally: &mut Tally) -> Result<(), Failure> {
-    counted(&mut command(1)?, tally)
+    run_tests(&mut command(1)?, tally)
 }
 
 /// The first command: the main job, which must detect every body and reach its scene's accuracy, and draws
 /// the pictures of the docs.
 pub(super) fn main_job() -> Result<(), Failure> {
     let mut command = command(0)?;
-    finished(&mut command)?;
+    run_checked(&mut command)?;
     let file = summary_file(&command)?;
     let mut short = shortcomings(&Summary::read(&file)?.frames);
     short

@@ -2,7 +2,7 @@
 //! can be read from the first room on, and no two rooms depend on each other. `docs/architecture.md` lists
 //! the rooms like `lib.rs`.
 
-use crate::ci::findings::{none_of, read};
+use crate::ci::findings::{fail_on, read};
 use crate::house::{self, folders};
 use crate::project::project_root;
 use std::path::{Path, PathBuf};
@@ -15,16 +15,16 @@ pub(super) fn check() -> Result<(), Failure> {
         let source = folder.join("src");
         // A program has only a `main.rs`.
         if source.join("lib.rs").is_file() {
-            broken.extend(broken_in(&source)?);
+            broken.extend(violations_in(&source)?);
             let rooms = rooms(&read(&source.join("lib.rs"))?);
-            broken.extend(told_otherwise(&page, &house::name_of(&folder), &rooms));
+            broken.extend(difference_from_page(&page, &house::crate_name(&folder), &rooms));
         }
     }
-    none_of(broken)
+    fail_on(broken)
 }
 
 /// A sentence if the page's table of rooms differs from a crate's rooms or their order.
-fn told_otherwise(page: &str, name: &str, rooms: &[String]) -> Option<String> {
+fn difference_from_page(page: &str, name: &str, rooms: &[String]) -> Option<String> {
     let row = page.lines().find_map(|line| line.strip_prefix(&format!("| `{name}` | `")))?;
     let told = row.trim_end_matches(" |").trim_end_matches('`').split("`, `");
     let is_same = told.clone().eq(rooms.iter().map(String::as_str));
@@ -34,7 +34,7 @@ fn told_otherwise(page: &str, name: &str, rooms: &[String]) -> Option<String> {
     })
 }
 
-fn broken_in(source: &Path) -> Result<Vec<String>, Failure> {
+fn violations_in(source: &Path) -> Result<Vec<String>, Failure> {
     let rooms = rooms(&read(&source.join("lib.rs"))?);
     let mut broken = Vec::new();
     for (index, room) in rooms.iter().enumerate() {
@@ -94,7 +94,7 @@ mod tests {
     #[test]
     fn the_page_lists_the_rooms_in_their_order() {
         let page = "| crate | rooms |\n| `dsp` | `windows`, `maps` |\n| `echo` | below |";
-        let told = |name: &str, rooms: [&str; 2]| told_otherwise(page, name, &rooms.map(str::to_owned));
+        let told = |name: &str, rooms: [&str; 2]| difference_from_page(page, name, &rooms.map(str::to_owned));
         assert_eq!(told("dsp", ["windows", "maps"]), None);
         assert_eq!(told("echo", ["sums", "links"]), None);
         let sentence = "docs/architecture.md: the rooms of `dsp` are maps, windows, not windows, maps";

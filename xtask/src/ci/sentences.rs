@@ -1,6 +1,6 @@
 //! Check that doc comments are sentences or noun phrases, and readable without neighbouring comments.
 
-use crate::ci::findings::{none_of, read};
+use crate::ci::findings::{fail_on, read};
 use crate::house::{self, folders};
 use crate::project::project_root;
 use std::path::Path;
@@ -8,37 +8,37 @@ use wayside::host::failure::Failure;
 use wayside::program::terminal;
 
 /// Largest share of a crate's doc comments that may begin as fragments.
-const MOST: f64 = 0.02;
+const MAX_FRAGMENT_SHARE: f64 = 0.02;
 
 /// First words that refer to something outside of the comment; "Whether" describes a `bool`.
-const BEGINNINGS: &str = "Of To As With Without In At From For By Than On Onto Into Across Along Towards And \
+const FRAGMENT_BEGINNINGS: &str = "Of To As With Without In At From For By Than On Onto Into Across Along Towards And \
     Or But Nor Also Likewise Else Otherwise Those Them They Their Its It What Where How When Which Who Whose \
     Why So Not";
 
-/// First words that refer to something outside if they are alone or before one of [`DANGLING`].
-const ALONE: &str = "All Both None Each These Any";
+/// First words that refer to something outside if they are alone or before one of [`DANGLING_NEXT`].
+const DANGLING_ALONE: &str = "All Both None Each These Any";
 
-/// Words before which "The same" or one of [`ALONE`] refers to something outside of the comment.
-const DANGLING: &str =
+/// Words before which "The same" or one of [`DANGLING_ALONE`] refers to something outside of the comment.
+const DANGLING_NEXT: &str =
     "of that as in at to for from by with without where while when who what which less but";
 
 pub(super) fn check() -> Result<(), Failure> {
     let mut broken = Vec::new();
     for folder in house::crates(&project_root())? {
         let (count, found) = fragments_of(&folder)?;
-        let (name, share) = (house::name_of(&folder), found.len() as f64 / count.max(1) as f64);
+        let (name, share) = (house::crate_name(&folder), found.len() as f64 / count.max(1) as f64);
         let sentence = format!(
             "{name}: {} of {count} doc comments begin as fragments, {:.1} % (at most {:.0} %)",
             found.len(),
             100.0 * share,
-            100.0 * MOST
+            100.0 * MAX_FRAGMENT_SHARE
         );
         terminal::line(&sentence);
-        if share > MOST {
+        if share > MAX_FRAGMENT_SHARE {
             broken.extend(found.into_iter().chain([sentence]));
         }
     }
-    none_of(broken)
+    fail_on(broken)
 }
 
 /// Number of a crate's doc comments, and a line for each that begins as a fragment.
@@ -81,12 +81,13 @@ fn documentation(line: &str) -> Option<(&str, &str)> {
 fn is_fragment(comment: &str) -> bool {
     let mut words = comment.split_whitespace();
     let [first, second, third] = [0; 3].map(|_| words.next().unwrap_or_default());
-    let leans = |word: &str, next: &str| word.ends_with(['.', ',', ';', ':']) || is_among(next, DANGLING);
+    let leans =
+        |word: &str, next: &str| word.ends_with(['.', ',', ';', ':']) || is_among(next, DANGLING_NEXT);
     let plain = first.trim_end_matches(['.', ',', ';', ':']);
     match plain {
         "The" => second.trim_end_matches(['.', ',', ';', ':']) == "same" && leans(second, third),
-        _ if is_among(plain, ALONE) => leans(first, second),
-        _ => is_among(plain, BEGINNINGS) || comment.starts_with(char::is_lowercase),
+        _ if is_among(plain, DANGLING_ALONE) => leans(first, second),
+        _ => is_among(plain, FRAGMENT_BEGINNINGS) || comment.starts_with(char::is_lowercase),
     }
 }
 

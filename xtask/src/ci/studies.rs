@@ -1,9 +1,9 @@
 //! Check of pages that are made by studies: every page of `docs/validation` has a study of its own, every
 //! page names those that make it, and none names a missing one. Pages older than their code are reported.
 
-use crate::ci::findings::{none_of, pages, read};
+use crate::ci::findings::{fail_on, pages, read};
 use crate::project::project_root;
-use crate::study::{Age, STUDIES, by_name};
+use crate::study::{Freshness, STUDIES, by_name};
 use wayside::host::failure::Failure;
 use wayside::program::terminal;
 
@@ -17,8 +17,8 @@ pub(super) fn check() -> Result<(), Failure> {
         let name = page.strip_prefix(&root).unwrap_or(&page).display().to_string();
         broken.extend(findings(&name, &read(&page)?));
     }
-    broken.extend(ages()?);
-    none_of(broken)
+    broken.extend(freshness_of_pages()?);
+    fail_on(broken)
 }
 
 /// Faults in the studies that a page names.
@@ -51,13 +51,13 @@ fn named<'t>(text: &'t str, before: &'static str) -> impl Iterator<Item = &'t st
 }
 
 /// Studies without a place on their page; prints the number of pages older than their code.
-fn ages() -> Result<Vec<String>, Failure> {
+fn freshness_of_pages() -> Result<Vec<String>, Failure> {
     let (mut missing, mut older) = (Vec::new(), Vec::new());
     for study in &STUDIES {
-        match study.age()? {
-            Age::Fresh => {}
-            Age::Older | Age::Unknown => older.push(study.name),
-            Age::Missing => {
+        match study.freshness()? {
+            Freshness::Fresh => {}
+            Freshness::Older | Freshness::Unknown => older.push(study.name),
+            Freshness::Missing => {
                 missing.push(format!("{}: has no part of the study `{}`", study.page, study.name))
             }
         }

@@ -1,6 +1,6 @@
 //! Check of the training program, built, linted and tested in a separate folder, with the tests of `train`.
 
-use crate::ci::commands::{Tally, counted};
+use crate::ci::commands::{Tally, run_tests};
 use crate::project::project_root;
 use std::fs::File;
 use std::path::PathBuf;
@@ -49,7 +49,7 @@ impl Training {
         let words = "test --release --package wayside --test kills --test files -- --ignored a_training";
         // They run in separate folders, outside the project.
         let mut tests = Command::new("cargo");
-        counted(tests.args(words.split(' ')).env("WAYSIDE_PROJECT", project_root()), tally)
+        run_tests(tests.args(words.split(' ')).env("WAYSIDE_PROJECT", project_root()), tally)
     }
 }
 

@@ -22,7 +22,7 @@ pub(crate) fn sources(folder: &Path) -> Vec<PathBuf> {
 }
 
 /// Folders of a crate with source files, with their numbers.
-pub(crate) fn side_by_side(folder: &Path) -> BTreeMap<PathBuf, usize> {
+pub(crate) fn files_per_folder(folder: &Path) -> BTreeMap<PathBuf, usize> {
     let mut all = BTreeMap::new();
     for file in sources(folder) {
         *all.entry(file.parent().unwrap_or(folder).to_owned()).or_default() += 1;

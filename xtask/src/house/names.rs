@@ -14,7 +14,7 @@ pub(crate) fn imports(text: &str) -> Vec<Import> {
     let mut all = Vec::new();
     for (is_public, tree) in declarations(text) {
         let mut names = Vec::new();
-        open(&[], &tree.replace(" as ", "~").replace(char::is_whitespace, ""), &mut names);
+        expand_tree(&[], &tree.replace(" as ", "~").replace(char::is_whitespace, ""), &mut names);
         all.extend(names.into_iter().map(|(path, name)| Import { path, name, is_public }));
     }
     all
@@ -23,7 +23,8 @@ pub(crate) fn imports(text: &str) -> Vec<Import> {
 /// Paths of at least two names outside of `use` declarations.
 pub(crate) fn paths(text: &str) -> Vec<Vec<String>> {
     let is_name = |c: char| c.is_alphanumeric() || c == '_' || c == ':';
-    let code: String = parted(text).into_iter().filter(|(is_use, _)| !is_use).map(|(_, part)| part).collect();
+    let code: String =
+        split_at_uses(text).into_iter().filter(|(is_use, _)| !is_use).map(|(_, part)| part).collect();
     let words = code.split(|c| !is_name(c)).filter(|word| word.contains("::"));
     let path = |word: &str| -> Vec<String> {
         word.trim_matches(':').split("::").filter(|name| !name.is_empty()).map(str::to_owned).collect()
@@ -35,7 +36,7 @@ pub(crate) fn paths(text: &str) -> Vec<Vec<String>> {
 fn declarations(text: &str) -> Vec<(bool, String)> {
     let mut found = Vec::new();
     let mut before = "";
-    let parts = parted(text);
+    let parts = split_at_uses(text);
     for (is_use, part) in &parts {
         if *is_use {
             let line = before.rsplit(['\n', ';', '}', '{']).next().unwrap_or_default().trim();
@@ -47,7 +48,7 @@ fn declarations(text: &str) -> Vec<(bool, String)> {
 }
 
 /// The text split into the parts between `use` and its semicolon, and the rest.
-fn parted(text: &str) -> Vec<(bool, &str)> {
+fn split_at_uses(text: &str) -> Vec<(bool, &str)> {
     let mut parts = Vec::new();
     let mut rest = text;
     while let Some(at) = use_at(rest) {
@@ -67,9 +68,9 @@ fn use_at(text: &str) -> Option<usize> {
 }
 
 /// Leaves of a tree below `above`.
-fn open(above: &[String], tree: &str, leaves: &mut Vec<(Vec<String>, String)>) {
+fn expand_tree(above: &[String], tree: &str, leaves: &mut Vec<(Vec<String>, String)>) {
     let Some((head, inside)) = tree.split_once('{') else {
-        leaves.extend(leaf(above, tree));
+        leaves.extend(expand_leaf(above, tree));
         return;
     };
     let above: Vec<String> =
@@ -83,7 +84,7 @@ fn open(above: &[String], tree: &str, leaves: &mut Vec<(Vec<String>, String)>) {
             ',' if depth == 0 => {
                 let part = &inside[start.min(at)..at];
                 if !part.is_empty() {
-                    open(&above, part, leaves);
+                    expand_tree(&above, part, leaves);
                 }
                 start = at + 1;
             }
@@ -92,7 +93,7 @@ fn open(above: &[String], tree: &str, leaves: &mut Vec<(Vec<String>, String)>) {
     }
 }
 
-fn leaf(above: &[String], text: &str) -> Option<(Vec<String>, String)> {
+fn expand_leaf(above: &[String], text: &str) -> Option<(Vec<String>, String)> {
     let (path, alias) = text.split_once('~').map_or((text, None), |(path, alias)| (path, Some(alias)));
     let mut names: Vec<String> = above.to_vec();
     names.extend(path.split("::").filter(|name| !name.is_empty()).map(str::to_owned));

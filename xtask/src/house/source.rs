@@ -30,11 +30,11 @@ impl SourceFile {
         if matches!(module.as_slice(), [root] if root == "lib" || root == "main") {
             module.clear();
         }
-        let plain = stripped(&text);
+        let plain = without_comments_and_strings(&text);
         Ok(Self {
             place: place.to_owned(),
             module,
-            text: in_own_words(&without_scopes(&plain)),
+            text: super_as_self(&without_visibility_paths(&plain)),
             lines: code_lines(&text),
             product: code_lines(split_at_tests(&text).0),
             tests: files_of_tests(&plain),
@@ -62,11 +62,11 @@ fn code_lines(text: &str) -> usize {
 }
 
 /// Attribute of modules of tests.
-const OF_TESTS: &str = "#[cfg(test)]\n";
+const TEST_ATTRIBUTE: &str = "#[cfg(test)]\n";
 
 /// The text before the file's module of tests, and that module.
 fn split_at_tests(text: &str) -> (&str, &str) {
-    let mut places = text.match_indices(OF_TESTS).map(|(at, _)| at);
+    let mut places = text.match_indices(TEST_ATTRIBUTE).map(|(at, _)| at);
     let is_module = |line: &str| line.starts_with("mod ") && is_open(line);
     let with_body = places.find(|at| text[*at..].lines().nth(1).is_some_and(is_module));
     text.split_at(with_body.unwrap_or(text.len()))
@@ -74,20 +74,20 @@ fn split_at_tests(text: &str) -> (&str, &str) {
 
 /// Names of modules of tests that are declared in a text without comments and strings, and are files.
 fn files_of_tests(text: &str) -> Vec<String> {
-    let declared = text.split(OF_TESTS).skip(1).filter_map(|behind| behind.lines().next());
+    let declared = text.split(TEST_ATTRIBUTE).skip(1).filter_map(|behind| behind.lines().next());
     let names = declared.filter_map(|line| line.split_once("mod ")?.1.split_once(';'));
     names.map(|(name, _)| name.to_owned()).collect()
 }
 
 /// Removes the paths of `pub(in path)`, which are not uses.
-fn without_scopes(text: &str) -> String {
+fn without_visibility_paths(text: &str) -> String {
     let mut parts = text.split("pub(in ");
     let first = parts.next().unwrap_or_default().to_owned();
     parts.fold(first, |kept, part| kept + "pub" + part.split_once(')').map_or(part, |(_, rest)| rest))
 }
 
 /// Replaces `super` in the file's module of tests, where it means the file itself, by `self`.
-fn in_own_words(text: &str) -> String {
+fn super_as_self(text: &str) -> String {
     let (own, tests) = split_at_tests(text);
     let tests =
         tests.replace("super::super::", "\u{1}").replace("super::", "self::").replace('\u{1}', "super::");
@@ -99,7 +99,7 @@ fn is_open(line: &str) -> bool {
 }
 
 /// Removes comments and string contents, keeping the line numbers.
-fn stripped(text: &str) -> String {
+fn without_comments_and_strings(text: &str) -> String {
     let mut kept = String::with_capacity(text.len());
     let mut rest = text;
     while let Some(at) = rest.find(['/', '"', '\'']) {
@@ -108,9 +108,9 @@ fn stripped(text: &str) -> String {
         let length = if rest.starts_with("//") {
             rest.find('\n').unwrap_or(rest.len())
         } else if let Some(string) = rest.strip_prefix('"') {
-            2 + closing(string)
+            2 + closing_quote(string)
         } else {
-            character(rest)
+            char_literal_length(rest)
         };
         if length == 1 {
             kept.push_str(&rest[..1]);
@@ -121,7 +121,7 @@ fn stripped(text: &str) -> String {
 }
 
 /// Byte of the quotation mark that ends a string.
-fn closing(string: &str) -> usize {
+fn closing_quote(string: &str) -> usize {
     let mut is_escaped = false;
     for (at, sign) in string.char_indices() {
         match sign {
@@ -134,7 +134,7 @@ fn closing(string: &str) -> usize {
 }
 
 /// Length of a character literal; 1 for a lifetime or an apostrophe.
-fn character(text: &str) -> usize {
+fn char_literal_length(text: &str) -> usize {
     let Some(inside) = text.strip_prefix('\'') else { return 1 };
     if let Some(escaped) = inside.strip_prefix('\\') {
         return escaped.find('\'').map_or(1, |at| at + 3);
@@ -150,7 +150,10 @@ mod tests {
     #[test]
     fn names_in_comments_and_strings_are_no_names() {
         let text = "use a::b; // crate::c\nlet x = \"crate::\\\"d\"; let y = '\"'; fn f<'l>(z: &'l str) { 'n' / e::f }\n";
-        assert_eq!(stripped(text), "use a::b; \nlet x = ; let y = ; fn f<'l>(z: &'l str) {  / e::f }\n");
+        assert_eq!(
+            without_comments_and_strings(text),
+            "use a::b; \nlet x = ; let y = ; fn f<'l>(z: &'l str) {  / e::f }\n"
+        );
     }
 
     #[test]
@@ -171,9 +174,9 @@ mod tests {
     #[test]
     fn super_in_a_module_of_tests_is_the_file() {
         let text = "use super::a;\n#[cfg(test)]\nmod tests {\n use super::*;\n use super::super::b;\n}\n";
-        assert!(in_own_words(text).contains("use self::*;\n use super::b;"));
-        assert!(in_own_words(text).starts_with("use super::a;"));
+        assert!(super_as_self(text).contains("use self::*;\n use super::b;"));
+        assert!(super_as_self(text).starts_with("use super::a;"));
         let behind_another = format!("#[cfg(test)]\nmod requests;\n{text}");
-        assert!(in_own_words(&behind_another).contains("use self::*;\n use super::b;"));
+        assert!(super_as_self(&behind_another).contains("use self::*;\n use super::b;"));
     }
 }

@@ -15,11 +15,11 @@ mod picture;
 
 pub(super) use picture::{COLUMNS, picture};
 pub(super) use presentation::{count, csv, page};
-pub(super) use verdict::{CaseRow, Says, Verdict};
+pub(super) use verdict::{CaseRow, ErrorStatement, Verdict};
 
 use crate::study::extent::Extent;
 use std::time::Instant;
-use verdict::Tried;
+use verdict::AtlasCase;
 use wayside::host::failure::Failure;
 use wayside::host::progress::Work;
 use wayside::program::terminal;
@@ -29,8 +29,8 @@ pub(super) fn rows(extent: Extent, only: Option<&str>) -> Result<Vec<CaseRow>, F
     let work = Work::begin("atlas");
     let themes =
         [refusals::CASES, scattering::CASES, traffic::CASES, echo::CASES, signals::CASES, learning::CASES];
-    let is_asked = |case: &&Tried| only.is_none_or(|word| case.name.contains(word));
-    let cases: Vec<&Tried> = themes.into_iter().flatten().filter(is_asked).collect();
+    let is_asked = |case: &&AtlasCase| only.is_none_or(|word| case.name.contains(word));
+    let cases: Vec<&AtlasCase> = themes.into_iter().flatten().filter(is_asked).collect();
     if let (Some(word), true) = (only, cases.is_empty()) {
         return Err(Failure::System(format!("atlas: --only {word}: no case has that in its name")));
     }

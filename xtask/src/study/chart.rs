@@ -2,14 +2,14 @@
 //! to another method. Rows are kept, so that an interrupted chart resumes.
 
 mod row;
-mod work;
+mod cost;
 mod subjects;
 mod scenes;
 mod scattering;
 mod frames;
 mod synthesis;
 mod receiver;
-mod outside;
+mod rivals;
 mod answers;
 mod presentation;
 mod pictures;
@@ -20,10 +20,10 @@ pub(super) use pictures::{COLUMNS, COLUMNS_OF_ANSWERS, picture_of_answers, pictu
 pub(super) use presentation::{page, tables};
 
 use crate::study::extent::Extent;
-use crate::study::pages::kept::Kept;
-use answers::Answers;
-use outside::RivalRow;
+use crate::study::pages::row_cache::RowCache;
+use answers::ChainResult;
 use receiver::EstimateRow;
+use rivals::RivalRow;
 use row::SettingRow;
 use scenes::SCENES;
 use serde::{Serialize, de::DeserializeOwned};
@@ -35,34 +35,34 @@ pub(super) struct Chart {
     rows: Vec<SettingRow>,
     estimates: Vec<EstimateRow>,
     rivals: Vec<RivalRow>,
-    answers: Vec<Answers>,
+    answers: Vec<ChainResult>,
 }
 
 /// Parts of the chart that are measured.
-pub(super) struct Asked<'a> {
+pub(super) struct ChartRequest<'a> {
     /// Number of bodies, paths and scenes.
     pub(super) extent: Extent,
     /// A word of the names of parts; `None`: all parts.
     pub(super) only: Option<&'a str>,
 }
 
-impl Asked<'_> {
+impl ChartRequest<'_> {
     fn has(&self, part: &str) -> bool {
         self.only.is_none_or(|word| part.contains(word))
     }
 }
 
 /// Measures what is asked for, or what of it an earlier run of sources with this hash has not.
-pub(super) fn measured(asked: &Asked<'_>, sources: &str) -> Result<Chart, Failure> {
-    let name = if asked.extent == Extent::Quick { "chart-quick" } else { "chart" };
-    let kept = Kept::of(name, sources);
+pub(super) fn measure(request: &ChartRequest<'_>, sources: &str) -> Result<Chart, Failure> {
+    let name = if request.extent == Extent::Quick { "chart-quick" } else { "chart" };
+    let cache = RowCache::of(name, sources);
     let chart = Chart {
-        rows: rows(asked, &kept)?,
-        estimates: part(asked, &kept, "estimates", receiver::rows)?,
-        rivals: part(asked, &kept, "outside", outside::rows)?,
-        answers: all_answers(asked, &kept)?,
+        rows: rows(request, &cache)?,
+        estimates: part(request, &cache, "estimates", receiver::rows)?,
+        rivals: part(request, &cache, "outside", rivals::rows)?,
+        answers: all_answers(request, &cache)?,
     };
-    match asked.only {
+    match request.only {
         Some(word) if chart.is_empty() => {
             Err(Failure::Refused(format!("--only: no part of the chart has `{word}` in its name")))
         }
@@ -78,28 +78,28 @@ impl Chart {
 
 /// The rows of one name, none where they are not asked for.
 fn part<R: Serialize + DeserializeOwned>(
-    asked: &Asked<'_>,
-    kept: &Kept,
+    request: &ChartRequest<'_>,
+    cache: &RowCache,
     name: &str,
     make: fn(Extent) -> Result<Vec<R>, Failure>,
 ) -> Result<Vec<R>, Failure> {
-    if asked.has(name) { kept.or_made(name, || make(asked.extent)) } else { Ok(vec![]) }
+    if request.has(name) { cache.get_or_make(name, || make(request.extent)) } else { Ok(vec![]) }
 }
 
 /// Every row, body by body, then scene by scene.
-fn rows(asked: &Asked<'_>, kept: &Kept) -> Result<Vec<SettingRow>, Failure> {
-    let extent = asked.extent;
+fn rows(request: &ChartRequest<'_>, cache: &RowCache) -> Result<Vec<SettingRow>, Failure> {
+    let extent = request.extent;
     let (mut subjects, mut counts) = (subjects::all(extent)?, synthesis::counts(extent).to_vec());
-    subjects.retain(|subject| asked.has(&scattering_of(subject)));
-    counts.retain(|count| asked.has(&synthesis_of(*count)));
-    let scenes = scenes_of(asked, "frames");
+    subjects.retain(|subject| request.has(&scattering_of(subject)));
+    counts.retain(|count| request.has(&synthesis_of(*count)));
+    let scenes = scenes_of(request, "frames");
     let work = Work::begin("chart");
     let (mut all, mut done) = (vec![], 0);
     let parts = subjects.len() + counts.len() + scenes.len();
     let mut add = |name: String, make: &dyn Fn() -> Result<Vec<SettingRow>, Failure>| {
         work.at(done, parts);
         done += 1;
-        all.extend(kept.or_made(&file_name(&name), || Ok(finite(make()?)))?);
+        all.extend(cache.get_or_make(&file_name(&name), || Ok(finite(make()?)))?);
         Ok::<(), Failure>(())
     };
     for subject in &subjects {
@@ -129,26 +129,26 @@ fn finite(mut rows: Vec<SettingRow>) -> Vec<SettingRow> {
     rows
 }
 
-fn all_answers(asked: &Asked<'_>, kept: &Kept) -> Result<Vec<Answers>, Failure> {
+fn all_answers(request: &ChartRequest<'_>, cache: &RowCache) -> Result<Vec<ChainResult>, Failure> {
     let work = Work::begin("whole chain");
     let folder = scenes::folder_of_bodies()?;
-    let scenes = scenes_of(asked, "answers");
+    let scenes = scenes_of(request, "answers");
     let mut all = vec![];
     for (number, scene) in scenes.iter().enumerate() {
         work.at(number, scenes.len());
         let name = file_name(&format!("answers of {}", scene.name));
-        all.extend(kept.or_made(&name, || answers::rows(scene, folder.path(), asked.extent))?);
+        all.extend(cache.get_or_make(&name, || answers::rows(scene, folder.path(), request.extent))?);
     }
     Ok(all)
 }
 
 /// All scenes or two of them, those whose part of this kind is asked for.
-fn scenes_of(asked: &Asked<'_>, kind: &str) -> Vec<&'static scenes::Scene> {
-    let all: &[scenes::Scene] = match asked.extent {
+fn scenes_of(request: &ChartRequest<'_>, kind: &str) -> Vec<&'static scenes::Scene> {
+    let all: &[scenes::Scene] = match request.extent {
         Extent::Quick => &SCENES[..2],
         Extent::Full => &SCENES,
     };
-    all.iter().filter(|scene| asked.has(&format!("{kind} of {}", scene.name))).collect()
+    all.iter().filter(|scene| request.has(&format!("{kind} of {}", scene.name))).collect()
 }
 
 /// Name of a file of rows.
@@ -160,7 +160,7 @@ fn file_name(name: &str) -> String {
 mod tests {
     use super::*;
     use crate::project::project_root;
-    use crate::study::table::{RowOf, Table};
+    use crate::study::table::{Table, TableRow};
 
     /// A change that moves a front is seen where it is made, and not when the chart is made the next time.
     #[test]
@@ -169,7 +169,7 @@ mod tests {
         let told = Table::read(&told, &COLUMNS).unwrap();
         let error_db = |row: &SettingRow| {
             let key = [("scene", &row.scene), ("method", &row.method), ("setting", &row.setting)];
-            let is_same = |other: &RowOf| key.iter().all(|(column, word)| other.word(column) == *word);
+            let is_same = |other: &TableRow| key.iter().all(|(column, word)| other.word(column) == *word);
             told.rows().find(is_same).map(|row| row.number("error_db"))
         };
         let rows = scattering::rows(&subjects::corner()).unwrap();

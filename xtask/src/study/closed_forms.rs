@@ -1,6 +1,6 @@
 //! Exact answers for small bodies: closed forms, series, and converged integrals (docs/physics.md §11).
 
-use crate::study::looks::{K, WAVELENGTH_M};
+use crate::study::rcs_solvers::{K, WAVELENGTH_M};
 use num_complex::Complex64;
 use std::f64::consts::{FRAC_PI_2, PI};
 

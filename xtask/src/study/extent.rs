@@ -11,7 +11,7 @@ pub(super) enum Extent {
 
 impl Extent {
     /// Number of cases to try among `cases`: for a quick study a fiftieth, and at least two.
-    pub(super) fn of(self, cases: u64) -> u64 {
+    pub(super) fn case_count(self, cases: u64) -> u64 {
         match self {
             Self::Quick => (cases / 50).max(2),
             Self::Full => cases,

@@ -7,7 +7,7 @@ pub(super) use presentation::{COLUMNS, csv, page, picture};
 
 use crate::project::project_root;
 use crate::study::extent::Extent;
-use crate::study::looks;
+use crate::study::rcs_solvers;
 use crate::study::scenes::{cube_header, paths_of, scene_of, with_body};
 use artifact::paths::{Path, PathsFrame};
 use artifact::scene::SceneHeader;
@@ -128,7 +128,7 @@ fn of_levels(
     for level in [Detail::Merged, Detail::Centres, Detail::Statistical, Detail::Auto] {
         header.fidelity.detail = level;
         let frame = traced.clone();
-        let (reduced, reduce_s) = timed(|| Ok(bart_rcs::reduced(&header, frame)))?;
+        let (reduced, reduce_s) = timed(|| Ok(bart_rcs::reduce_detail(&header, frame)))?;
         let (got, echo_s) = timed(|| Ok(cube(&header, &reduced.paths)))?;
         rows.push(LevelRow {
             scene,
@@ -137,7 +137,7 @@ fn of_levels(
             chosen: chosen(&reduced),
             paths: reduced.paths.len(),
             told: reduced.error.detail,
-            error: reduced.error.detail.map(|_| looks::relative_error(&got, &exact)),
+            error: reduced.error.detail.map(|_| rcs_solvers::relative_error(&got, &exact)),
             total: reduced.error.total(),
             seconds: [trace_s, reduce_s, echo_s],
         });

@@ -3,9 +3,9 @@
 
 use std::ops::Range;
 
-/// Age of a page relative to the sources of its figures.
+/// Freshness of a page relative to the sources of its figures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Age {
+pub(crate) enum Freshness {
     /// Made by these sources.
     Fresh,
     /// Made by others.
@@ -16,8 +16,8 @@ pub(crate) enum Age {
     Missing,
 }
 
-impl Age {
-    /// Name of the age.
+impl Freshness {
+    /// Name of the freshness.
     pub(crate) fn words(self) -> &'static str {
         match self {
             Self::Fresh => "fresh",
@@ -27,11 +27,11 @@ impl Age {
         }
     }
 
-    /// Age of the part of `study` in a page, if its sources have this hash.
+    /// Freshness of the part of `study` in a page, if its sources have this hash.
     pub(super) fn of(page: &str, study: &str, hash: &str) -> Self {
         match line_of(page, study).map(|line| &page[line]) {
             Some(line) if line == made_by(study, hash) => Self::Fresh,
-            Some(line) if line == made_by(study, FEWER) => Self::Unknown,
+            Some(line) if line == made_by(study, UNKNOWN_SOURCES) => Self::Unknown,
             Some(_) => Self::Older,
             None => Self::Missing,
         }
@@ -39,7 +39,7 @@ impl Age {
 }
 
 /// Word instead of the hash if fewer cases than the page describes were measured.
-pub(super) const FEWER: &str = "unknown";
+pub(super) const UNKNOWN_SOURCES: &str = "unknown";
 
 /// The line with the study that made the part, and the hash of its sources.
 pub(super) fn made_by(study: &str, hash: &str) -> String {
@@ -119,7 +119,7 @@ mod tests {
         let expected = PAGE.replace("unknown", "12345678").replace("old", "| new |");
         assert_eq!(page, expected);
         assert_eq!(part_of(&page, "a"), Some("| new |"));
-        assert_eq!(Age::of(&page, "a", "12345678"), Age::Fresh);
+        assert_eq!(Freshness::of(&page, "a", "12345678"), Freshness::Fresh);
     }
 
     #[test]
@@ -136,10 +136,10 @@ mod tests {
 
     #[test]
     fn a_page_of_other_sources_is_older_and_one_without_the_line_is_missing() {
-        assert_eq!(Age::of(PAGE, "a", "12345678"), Age::Unknown);
+        assert_eq!(Freshness::of(PAGE, "a", "12345678"), Freshness::Unknown);
         let older = PAGE.replace("unknown", "87654321");
-        assert_eq!(Age::of(&older, "a", "12345678"), Age::Older);
-        assert_eq!(Age::of(PAGE, "b", "12345678"), Age::Missing);
+        assert_eq!(Freshness::of(&older, "a", "12345678"), Freshness::Older);
+        assert_eq!(Freshness::of(PAGE, "b", "12345678"), Freshness::Missing);
         assert_eq!(with_part(PAGE, "b", "12345678", ""), None);
     }
 }

@@ -4,9 +4,9 @@
 pub(super) mod deployment;
 pub(super) mod force;
 pub(super) mod fuzz;
-pub(super) mod kept;
+pub(super) mod row_cache;
 pub(super) mod measures;
-mod part;
+mod page_section;
 pub(super) mod planner;
 pub(super) mod real_captures;
 mod real_vehicles;
@@ -16,4 +16,4 @@ pub(super) mod sensitivity;
 pub(super) mod signals;
 pub(super) mod whole_runs;
 
-pub(super) use part::Part;
+pub(super) use page_section::PageSection;

@@ -68,13 +68,13 @@ pub(super) fn paths_of(header: &SceneHeader) -> Result<PathsFrame, Failure> {
 
 pub(super) fn paths_at(header: &SceneHeader, frame: &SceneFrame) -> Result<PathsFrame, Failure> {
     let tracer = bart_rcs::Tracer::new(header).map_err(Failure::refused)?;
-    tracer.all_paths(header, frame, &bart_rcs::FrameSurroundings::ALONE).map_err(Failure::refused)
+    tracer.all_paths(header, frame, &bart_rcs::FrameContext::ALONE).map_err(Failure::refused)
 }
 
 /// The paper's σ_f for a frame.
 pub(super) fn tables_at(header: &SceneHeader, frame: &SceneFrame) -> Result<RcsFrame, Failure> {
     let tracer = bart_rcs::Tracer::new(header).map_err(Failure::refused)?;
-    tracer.tables(header, frame, &bart_rcs::Unheard).map_err(Failure::refused)
+    tracer.tables(header, frame, &bart_rcs::NoProgress).map_err(Failure::refused)
 }
 
 pub(crate) fn cube_header(header: &SceneHeader) -> CubeHeader {
@@ -97,15 +97,15 @@ pub(super) fn synthesizer(header: &SceneHeader, seed: u64) -> Result<fmcw_echo::
 }
 
 /// Map and points of a radar for the first frame.
-pub(super) struct Seen {
+pub(super) struct DetectionResult {
     pub(super) map: RdmFrame,
     pub(super) points: PointsFrame,
 }
 
-pub(super) fn seen(header: &SceneHeader) -> Result<Seen, Failure> {
+pub(super) fn detect(header: &SceneHeader) -> Result<DetectionResult, Failure> {
     let cube = cube_of(header, &paths_of(header)?)?;
     let receiver = dsp::Receiver::new(&cube_header(header)).map_err(Failure::refused)?;
     let map = receiver.range_doppler(&cube).map_err(Failure::refused)?;
     let points = receiver.detect(&map).map_err(Failure::refused)?;
-    Ok(Seen { map, points })
+    Ok(DetectionResult { map, points })
 }

@@ -1,8 +1,8 @@
 //! Random search for unknown failures: compares methods on random bodies, radars and cubes. A difference
 //! beyond the printed errors and the reference's own is a find, and each find becomes a case of the atlas.
 
-mod contest;
-mod drawn_bodies;
+mod differential_test;
+mod random_bodies;
 mod scattering;
 mod echoes;
 mod maps;
@@ -10,59 +10,59 @@ mod tracks;
 
 mod ledger;
 
-pub(super) use contest::{Contest, Tally};
-pub(super) use ledger::{entered, rows};
+pub(super) use differential_test::{DifferentialTest, Tally};
+pub(super) use ledger::{append_rows, rows};
 
-use crate::study::sources::{self, Places};
-use contest::Outcome;
+use crate::study::sources::{self, SourcePaths};
+use differential_test::Outcome;
 use wayside::host::failure::Failure;
 use wayside::host::processor_time;
 use wayside::program::terminal;
 
 /// Sources that the finds depend on.
-pub(super) const SOURCES: Places = &[sources::CHAIN, &["crates/po-sbr", "xtask/src/study/search"]];
+pub(super) const SOURCES: SourcePaths = &[sources::CHAIN, &["crates/po-sbr", "xtask/src/study/search"]];
 
-/// Every contest, in order.
-const CONTESTS: &[Contest] = &[
-    Contest { name: "first order against dense sampling", trial: scattering::against_sampling },
-    Contest { name: "orders 1 to 3 of boxes against rays", trial: scattering::against_rays },
-    Contest { name: "transmitter and receiver exchanged", trial: scattering::exchanged },
-    Contest { name: "mesh relabelled, cut and turned", trial: scattering::relabelled },
-    Contest { name: "antenna far away against infinitely far", trial: scattering::far_away },
-    Contest { name: "layers against matrices", trial: scattering::layers },
-    Contest { name: "fast sum against the formulas", trial: echoes::against_formulas },
-    Contest { name: "map against the sum of its definition", trial: maps::against_sums },
-    Contest { name: "detector against its definition", trial: maps::detector },
-    Contest { name: "lone points against their truth", trial: maps::lone_points },
-    Contest { name: "tracks against their truth", trial: tracks::against_truth },
+/// Every differential test, in order.
+const DIFFERENTIAL_TESTS: &[DifferentialTest] = &[
+    DifferentialTest { name: "first order against dense sampling", trial: scattering::against_sampling },
+    DifferentialTest { name: "orders 1 to 3 of boxes against rays", trial: scattering::against_rays },
+    DifferentialTest { name: "transmitter and receiver exchanged", trial: scattering::reciprocity },
+    DifferentialTest { name: "mesh relabelled, cut and turned", trial: scattering::mesh_invariance },
+    DifferentialTest { name: "antenna far away against infinitely far", trial: scattering::far_field },
+    DifferentialTest { name: "layers against matrices", trial: scattering::layers },
+    DifferentialTest { name: "fast sum against the formulas", trial: echoes::against_formulas },
+    DifferentialTest { name: "map against the sum of its definition", trial: maps::against_sums },
+    DifferentialTest { name: "detector against its definition", trial: maps::detector },
+    DifferentialTest { name: "lone points against their truth", trial: maps::isolated_points },
+    DifferentialTest { name: "tracks against their truth", trial: tracks::against_truth },
 ];
 
 /// End condition of a search.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Until {
-    /// Number of cases of each contest.
+pub(super) enum StopCondition {
+    /// Number of cases of each differential test.
     Cases(u64),
     /// Number of processor seconds.
     ProcessorSeconds(f64),
 }
 
-/// Searches contest by contest in turn; prints finds as they occur.
-pub(super) fn searched(seed: u64, until: Until) -> Result<Vec<Tally>, Failure> {
-    let mut tallies: Vec<Tally> = CONTESTS.iter().map(Tally::of).collect();
+/// Runs the differential tests in turn; prints finds as they occur.
+pub(super) fn search_all(seed: u64, until: StopCondition) -> Result<Vec<Tally>, Failure> {
+    let mut tallies: Vec<Tally> = DIFFERENTIAL_TESTS.iter().map(Tally::of).collect();
     let start_s = processor_time::of_process().unwrap_or(0.0);
     let spent_s = || processor_time::of_process().unwrap_or(f64::INFINITY) - start_s;
     let goes_on = |number: u64| match until {
-        Until::Cases(cases) => number < cases,
-        Until::ProcessorSeconds(seconds) => spent_s() < seconds,
+        StopCondition::Cases(cases) => number < cases,
+        StopCondition::ProcessorSeconds(seconds) => spent_s() < seconds,
     };
     for number in (0..).take_while(|number| goes_on(*number)) {
-        for (contest, tally) in CONTESTS.iter().zip(&mut tallies) {
+        for (test, tally) in DIFFERENTIAL_TESTS.iter().zip(&mut tallies) {
             let before_s = spent_s();
-            let outcome = contest.case(seed, number)?;
+            let outcome = test.case(seed, number)?;
             tally.seconds += spent_s() - before_s;
-            tally.cases += u64::from(outcome != Outcome::Void);
-            if let Outcome::Find(words) = outcome {
-                terminal::line(format!("{}, seed {seed}, case {number}: {words}", contest.name));
+            tally.cases += u64::from(outcome != Outcome::Uninformative);
+            if let Outcome::Discrepancy(words) = outcome {
+                terminal::line(format!("{}, seed {seed}, case {number}: {words}", test.name));
                 tally.finds.push(format!("case {number}: {words}"));
             }
         }
@@ -77,7 +77,7 @@ mod tests {
     /// An hour of it on request: `cargo xtask study search --minutes 60`.
     #[test]
     fn methods_agree_on_random_cases_within_what_they_print() {
-        let tallies = searched(1, Until::Cases(4)).unwrap();
+        let tallies = search_all(1, StopCondition::Cases(4)).unwrap();
         for tally in &tallies {
             println!("{}: {} cases, {:.1} s", tally.name, tally.cases, tally.seconds);
             assert_eq!(tally.finds, Vec::<String>::new(), "{}", tally.name);
@@ -87,8 +87,8 @@ mod tests {
 
     #[test]
     fn a_case_is_the_same_whenever_it_is_drawn() {
-        for contest in CONTESTS {
-            assert_eq!(contest.case(5, 3).unwrap(), contest.case(5, 3).unwrap(), "{}", contest.name);
+        for test in DIFFERENTIAL_TESTS {
+            assert_eq!(test.case(5, 3).unwrap(), test.case(5, 3).unwrap(), "{}", test.name);
         }
     }
 }

@@ -6,8 +6,8 @@ mod hashed;
 use crate::project::project_root;
 use wayside::host::failure::Failure;
 
-/// Places relative to the project's root, in lists shared by studies.
-pub(crate) type Places = &'static [&'static [&'static str]];
+/// Paths relative to the project's root, in lists shared by studies.
+pub(crate) type SourcePaths = &'static [&'static [&'static str]];
 
 /// Leaves that every stage uses.
 const LEAVES: &[&str] = &["crates/artifact", "crates/bodies", "crates/radar"];
@@ -26,7 +26,7 @@ pub(super) const RUN: &[&str] =
     &["crates/evaluation", "crates/pipeline/src/chain", "crates/pipeline/src/outcome"];
 
 /// Eight digits of the hash of these places and of the leaves.
-pub(super) fn hash(places: Places) -> Result<String, Failure> {
+pub(super) fn hash(places: SourcePaths) -> Result<String, Failure> {
     let root = project_root();
     let all: Vec<_> = LEAVES.iter().chain(places.iter().copied().flatten()).map(|p| root.join(p)).collect();
     let hash = hashed::hash_of(&all, code_of).map_err(|error| Failure::System(error.to_string()))?;

@@ -49,19 +49,19 @@ impl Table {
     }
 
     /// Rows as the contents of their columns; a missing column is empty.
-    pub(super) fn rows(&self) -> impl Iterator<Item = RowOf<'_>> {
-        self.rows.iter().map(|fields| RowOf { table: self, fields })
+    pub(super) fn rows(&self) -> impl Iterator<Item = TableRow<'_>> {
+        self.rows.iter().map(|fields| TableRow { table: self, fields })
     }
 }
 
 /// A row of a table.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct RowOf<'t> {
+pub(super) struct TableRow<'t> {
     table: &'t Table,
     fields: &'t [String],
 }
 
-impl<'t> RowOf<'t> {
+impl<'t> TableRow<'t> {
     pub(super) fn word(&self, column: &str) -> &'t str {
         self.table.place(column).and_then(|i| self.fields.get(i)).map_or("", String::as_str)
     }

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 /// Materials of a mesh, and whether waves are transmitted through its sheets.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct Makeup {
+pub struct MeshMaterials {
     /// Material of each name of [`Mesh::materials`](crate::schemas::scene::Mesh::materials); if empty, every
     /// facet is a perfect conductor.
     pub materials: Vec<Material>,
@@ -27,12 +27,12 @@ pub struct MaterialMap {
 }
 
 impl MaterialMap {
-    /// Makeup of a mesh whose materials have these names.
-    pub fn makeup(&self, names: &[String]) -> Makeup {
+    /// Materials of a mesh whose materials have these names.
+    pub fn mesh_materials(&self, names: &[String]) -> MeshMaterials {
         let known =
             |name: &String| self.by_name.iter().find(|(known, _)| known == name).map(|(_, m)| m.clone());
         let materials = names.iter().map(|name| known(name).unwrap_or_default()).collect();
-        Makeup { materials, transmission: self.transmission }
+        MeshMaterials { materials, transmission: self.transmission }
     }
 }
 
@@ -126,14 +126,14 @@ impl Material {
     }
 }
 
-impl Makeup {
+impl MeshMaterials {
     /// Material of a slot; a perfect conductor where none is given.
     pub fn material(&self, slot: u16) -> &Material {
         self.materials.get(usize::from(slot)).unwrap_or(&Material::Conductor)
     }
 
     /// Whether every facet is a perfect conductor.
-    pub fn conducts_all_over(&self) -> bool {
+    pub fn is_perfect_conductor(&self) -> bool {
         self.materials.iter().all(|material| *material == Material::Conductor)
     }
 }

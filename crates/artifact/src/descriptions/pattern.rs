@@ -49,7 +49,7 @@ impl Pattern {
 
 impl Pattern {
     /// Whether the gain can be non-zero at right angles to the boresight or behind.
-    pub fn hears_behind(&self) -> bool {
+    pub fn radiates_behind(&self) -> bool {
         match self {
             Self::Isotropic => true,
             Self::Cosine { .. } => false,

@@ -271,7 +271,7 @@ pub struct Lanes {
     /// Straight lanes, side by side along the road.
     pub lanes: Vec<Lane>,
     /// Lanes of a network, each with its own centreline.
-    pub courses: Vec<Course>,
+    pub courses: Vec<NetworkLane>,
 }
 
 /// A lane along a road.
@@ -287,7 +287,7 @@ pub struct Lane {
 
 /// A lane of a network.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Course {
+pub struct NetworkLane {
     /// Number of the lane, counted from 1 in the order of the network.
     pub number: u8,
     /// Name of the lane in the network.
@@ -298,7 +298,7 @@ pub struct Course {
     pub line_m: Vec<[f64; 2]>,
 }
 
-impl Course {
+impl NetworkLane {
     /// Distance of a position from the centreline; `None` before its start and beyond its end.
     pub fn distance_m(&self, place_m: [f64; 2]) -> Option<f64> {
         let last = self.line_m.len().saturating_sub(2);
@@ -341,11 +341,11 @@ impl Lanes {
     pub fn at(&self, position_m: [f64; 3]) -> Option<u8> {
         let [across_m, _] = self.across_along_m(position_m);
         let straight = self.lanes.iter().find(|l| (across_m - l.centre_m).abs() <= 0.5 * l.width_m);
-        straight.map(|lane| lane.number).or_else(|| self.course_at([position_m[0], position_m[1]]))
+        straight.map(|lane| lane.number).or_else(|| self.network_lane_at([position_m[0], position_m[1]]))
     }
 
-    fn course_at(&self, place_m: [f64; 2]) -> Option<u8> {
-        let holds = |course: &Course| course.distance_m(place_m).filter(|m| *m <= 0.5 * course.width_m);
+    fn network_lane_at(&self, place_m: [f64; 2]) -> Option<u8> {
+        let holds = |course: &NetworkLane| course.distance_m(place_m).filter(|m| *m <= 0.5 * course.width_m);
         let holding = self.courses.iter().filter_map(|course| Some((course.number, holds(course)?)));
         holding.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(number, _)| number)
     }

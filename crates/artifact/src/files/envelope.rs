@@ -35,8 +35,8 @@ pub trait Schema {
     const VERSION: u32;
     /// Maximum record length that a reader allocates, bytes.
     const RECORD_LIMIT: u64 = 4 << 30;
-    /// Header, common to all frames.
-    type Header: Serialize + DeserializeOwned;
+    /// Header, common to all frames; a reader refuses one that contains a NaN, which equals nothing.
+    type Header: PartialEq + Serialize + DeserializeOwned;
     /// One radar frame.
     type Frame: Serialize + DeserializeOwned;
 

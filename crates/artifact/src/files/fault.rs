@@ -1,6 +1,6 @@
 //! A file and its fault.
 
-use crate::files::place_rule::PlaceRule;
+use crate::files::output_path::OutputPathFault;
 use std::path::{Path, PathBuf};
 
 /// A file and its fault.
@@ -26,7 +26,7 @@ pub enum Fault {
     },
     /// An output that may not be placed at the requested path.
     #[error("cannot be written: {0}")]
-    Place(PlaceRule),
+    Place(OutputPathFault),
     /// The first bytes are not those of the envelope.
     #[error("not a Wayside artifact (the first 8 bytes are not its magic)")]
     Magic,

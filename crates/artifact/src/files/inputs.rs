@@ -1,8 +1,8 @@
 //! Registry of the files that this program reads as inputs: no output may replace one of them.
 //!
-//! Every user file is opened for reading here, so that [`whole_file`](crate::files::whole_file) recognises it
-//! by any name: a hard link, a symbolic link or another path to the same folder. Anything but a plain file (a
-//! FIFO, a device, a socket, a folder) is refused before it is opened, since opening a FIFO waits for its
+//! Every user file is opened for reading here, so that [`atomic_file`](crate::files::atomic_file) recognises
+//! it by any name: a hard link, a symbolic link or another path to the same folder. Anything but a plain file
+//! (a FIFO, a device, a socket, a folder) is refused before it is opened, since opening a FIFO waits for its
 //! writer and reading a device may never end.
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -17,23 +17,23 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 /// # Errors
 /// The system's, and [`io::ErrorKind::InvalidInput`] if it is no plain file.
 pub fn open(file: &Path) -> Result<File> {
-    plain(std::fs::metadata(file)?.file_type())?;
+    check_plain(std::fs::metadata(file)?.file_type())?;
     let handle = File::open(file)?;
-    plain(handle.metadata()?.file_type())?;
-    remember(file, &handle)?;
+    check_plain(handle.metadata()?.file_type())?;
+    register(file, &handle)?;
     Ok(handle)
 }
 
 /// Registers a file that is open for reading.
-pub fn remember(file: &Path, handle: &File) -> Result<()> {
-    keep(file, &handle.metadata()?);
+pub fn register(file: &Path, handle: &File) -> Result<()> {
+    insert(file, &handle.metadata()?);
     Ok(())
 }
 
 /// Registers a file that will be read later; a missing one is left to its reader to report.
-pub fn note(file: &Path) {
+pub fn register_path(file: &Path) {
     if let Ok(about) = std::fs::metadata(file) {
-        keep(file, &about);
+        insert(file, &about);
     }
 }
 
@@ -61,14 +61,14 @@ pub fn named_hash(file: &Path) -> Result<(String, String)> {
 const GROWTH_LIMIT_BYTES: u64 = 256 << 20;
 
 /// Name by which the file with the metadata `about` was read, if it is an input.
-pub(crate) fn known(file: &Path, about: &Metadata) -> Option<PathBuf> {
+pub(crate) fn registered_name(file: &Path, about: &Metadata) -> Option<PathBuf> {
     let asked = identity(file, about)?;
-    let inputs = remembered().get(&asked)?.clone();
+    let inputs = registry().get(&asked)?.clone();
     // The number of a deleted input may have been reused for another file.
-    let is_still_there = |input: &PathBuf| {
+    let still_exists = |input: &PathBuf| {
         std::fs::metadata(input).is_ok_and(|now| identity(input, &now).as_ref() == Some(&asked))
     };
-    inputs.into_iter().find(is_still_there)
+    inputs.into_iter().find(still_exists)
 }
 
 /// Identity of a file, independent of its name.
@@ -78,17 +78,17 @@ type Identity = (u64, u64);
 type Identity = PathBuf;
 
 /// Files with the names by which they were read.
-type Remembered = BTreeMap<Identity, BTreeSet<PathBuf>>;
+type Registry = BTreeMap<Identity, BTreeSet<PathBuf>>;
 
-static REMEMBERED: Mutex<Remembered> = Mutex::new(BTreeMap::new());
+static REGISTRY: Mutex<Registry> = Mutex::new(BTreeMap::new());
 
-fn remembered() -> MutexGuard<'static, Remembered> {
-    REMEMBERED.lock().unwrap_or_else(PoisonError::into_inner)
+fn registry() -> MutexGuard<'static, Registry> {
+    REGISTRY.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-fn keep(file: &Path, about: &Metadata) {
+fn insert(file: &Path, about: &Metadata) {
     if let Some(identity) = identity(file, about) {
-        remembered().entry(identity).or_default().insert(file.to_owned());
+        registry().entry(identity).or_default().insert(file.to_owned());
     }
 }
 
@@ -104,19 +104,19 @@ fn identity(file: &Path, _: &Metadata) -> Option<Identity> {
     std::fs::canonicalize(file).ok()
 }
 
-fn plain(kind: FileType) -> Result<()> {
+fn check_plain(kind: FileType) -> Result<()> {
     match kind {
         kind if kind.is_file() => Ok(()),
         kind if kind.is_dir() => Err(io::ErrorKind::IsADirectory.into()),
         kind => {
-            let text = format!("it is {}, and plain files alone are read", name(kind));
+            let text = format!("it is {}, and plain files alone are read", kind_name(kind));
             Err(io::Error::new(io::ErrorKind::InvalidInput, text))
         }
     }
 }
 
 #[cfg(unix)]
-fn name(kind: FileType) -> &'static str {
+fn kind_name(kind: FileType) -> &'static str {
     use std::os::unix::fs::FileTypeExt;
     match kind {
         kind if kind.is_fifo() => "a FIFO",
@@ -127,7 +127,7 @@ fn name(kind: FileType) -> &'static str {
 }
 
 #[cfg(not(unix))]
-fn name(_: FileType) -> &'static str {
+fn kind_name(_: FileType) -> &'static str {
     "something else"
 }
 

@@ -74,7 +74,7 @@ impl ErrorBudget {
     }
 
     /// This budget with the shares that `later` has estimated replaced.
-    pub fn joined(self, later: Self) -> Self {
+    pub fn merged(self, later: Self) -> Self {
         Self {
             tessellation: later.tessellation.or(self.tessellation),
             integration: later.integration.or(self.integration),
@@ -137,7 +137,7 @@ mod tests {
         assert_eq!(ErrorBudget::default().total(), None);
         let budget = ErrorBudget { integration: Some(3e-2), dropped: Some(4e-2), ..Default::default() };
         assert!((budget.total().unwrap() - 5e-2).abs() < 1e-15);
-        let joined = budget.joined(ErrorBudget { synthesis: Some(1.0), ..Default::default() });
-        assert_eq!((joined.integration, joined.synthesis), (Some(3e-2), Some(1.0)));
+        let merged = budget.merged(ErrorBudget { synthesis: Some(1.0), ..Default::default() });
+        assert_eq!((merged.integration, merged.synthesis), (Some(3e-2), Some(1.0)));
     }
 }

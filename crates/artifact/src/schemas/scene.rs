@@ -1,6 +1,6 @@
 //! Scene snapshot: bodies, each with its own mesh, pose and velocity, and the radar that observes them.
 
-use crate::descriptions::material::{Makeup, MaterialMap, Road};
+use crate::descriptions::material::{MaterialMap, MeshMaterials, Road};
 use crate::descriptions::radar::Radar;
 use crate::descriptions::settings::{Class, DspSettings, Fidelity, Noise};
 use crate::files::envelope::Schema;
@@ -60,7 +60,7 @@ pub struct Traffic {
     /// Vehicles in view in some frame, in order of appearance.
     pub vehicles: Vec<Vehicle>,
     /// Vehicles in view in each frame of the scene, in the order of the recording.
-    pub frames: Vec<Vec<Placed>>,
+    pub frames: Vec<Vec<VehiclePose>>,
 }
 
 /// A vehicle of recorded traffic.
@@ -74,7 +74,7 @@ pub struct Vehicle {
 
 /// A vehicle in one frame.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Placed {
+pub struct VehiclePose {
     /// Index into [`Traffic::vehicles`].
     pub vehicle: u32,
     /// Pose at the frame's first sample.
@@ -303,7 +303,7 @@ pub struct Mesh {
     /// Names of materials; an empty name is a perfect conductor.
     pub materials: Vec<String>,
     /// Materials of these names.
-    pub makeup: Makeup,
+    pub makeup: MeshMaterials,
     /// Road wheels that the model names; empty if there are none.
     pub wheels: Vec<RoadWheel>,
     /// Findings of the mesh reader.

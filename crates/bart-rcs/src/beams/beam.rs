@@ -3,19 +3,19 @@
 //! A beam is a convex lit polygon on a facet, seen along straight lines from the antenna's image behind the
 //! preceding facets. Frequency and polarization enter later, in the integration.
 
-use crate::beams::body_ways::BodyWays;
-use crate::beams::brute_force::EveryFacet;
-use crate::beams::sheets::parted;
-use crate::beams::sight::lit_parts::{LitPart, LitParts};
-use crate::beams::sight::view::{Mirror, View};
-use crate::beams::visibility::{Buffers, ByHierarchy, Visibility};
+use crate::beams::body_sequences::BodySequences;
+use crate::beams::brute_force::BruteForceVisibility;
+use crate::beams::occlusion::lit_parts::{LitPart, LitParts};
+use crate::beams::occlusion::view::{Mirror, View};
+use crate::beams::sheets::split_at_sheets;
+use crate::beams::visibility::{Buffers, BvhVisibility, Visibility};
 use crate::bodies::world::World;
 use crate::geometry::antenna::Antenna;
 use crate::geometry::border::BorderLine;
 use crate::geometry::plane::Plane;
-use crate::oversight::error::BartError;
-use crate::oversight::memory::BYTES_PER_SHEET;
-use crate::oversight::progress::{Phase, Progress, Unheard};
+use crate::run_control::error::BartError;
+use crate::run_control::memory::BYTES_PER_SHEET;
+use crate::run_control::progress::{NoProgress, Phase, Progress};
 use artifact::settings::Sides;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -129,29 +129,29 @@ pub struct OrderAudit {
 impl BeamTree {
     /// Traces everything lit by `antenna`, up to `settings.max_order`.
     pub fn trace(world: &World, antenna: Antenna, settings: &TraceSettings) -> Result<Self, BartError> {
-        Self::trace_heard(world, antenna, settings, &Unheard)
+        Self::trace_with_progress(world, antenna, settings, &NoProgress)
     }
 
     /// Traces like [`BeamTree::trace`], and reports to `progress`.
-    pub(crate) fn trace_heard(
+    pub(crate) fn trace_with_progress(
         world: &World,
         antenna: Antenna,
         settings: &TraceSettings,
         progress: &dyn Progress,
     ) -> Result<Self, BartError> {
-        trace_by::<ByHierarchy>(world, Growth::new(antenna, settings, progress))
+        trace_by::<BvhVisibility>(world, Growth::new(antenna, settings, progress))
     }
 
     /// Traces only the given sequences of bodies; others are not followed beyond their first facet. For the
     /// given ones the tree is complete.
-    pub(crate) fn trace_along(
+    pub(crate) fn trace_sequences(
         world: &World,
         antenna: Antenna,
         settings: &TraceSettings,
-        ways: &BodyWays,
+        ways: &BodySequences,
         progress: &dyn Progress,
     ) -> Result<Self, BartError> {
-        trace_by::<ByHierarchy>(
+        trace_by::<BvhVisibility>(
             world,
             Growth { ways: Some(ways), ..Growth::new(antenna, settings, progress) },
         )
@@ -163,7 +163,7 @@ impl BeamTree {
         antenna: Antenna,
         settings: &TraceSettings,
     ) -> Result<Self, BartError> {
-        trace_by::<EveryFacet>(world, Growth::new(antenna, settings, &Unheard))
+        trace_by::<BruteForceVisibility>(world, Growth::new(antenna, settings, &NoProgress))
     }
 
     /// Lit polygon: convex, counter-clockwise about the lit normal, world metres.
@@ -178,20 +178,20 @@ impl BeamTree {
 
     /// Facets from the antenna to this beam, its own last, as indices into [`World::facets`].
     pub fn sequence(&self, beam: &Beam) -> Vec<u32> {
-        let mut facets: Vec<u32> = self.way_back(beam).map(|b| b.facet).collect();
+        let mut facets: Vec<u32> = self.mirror_chain(beam).map(|b| b.facet).collect();
         facets.reverse();
         facets
     }
 
     /// Bodies from the antenna to this beam, its own last.
     pub(crate) fn bodies(&self, world: &World, beam: &Beam) -> Vec<u32> {
-        let mut bodies: Vec<u32> = self.way_back(beam).map(|b| world.facet(b.facet).id.body).collect();
+        let mut bodies: Vec<u32> = self.mirror_chain(beam).map(|b| world.facet(b.facet).id.body).collect();
         bodies.reverse();
         bodies
     }
 
     /// A beam, that of its mirror, and so on back to the antenna.
-    pub(crate) fn way_back<'a>(&'a self, beam: &'a Beam) -> impl Iterator<Item = &'a Beam> {
+    pub(crate) fn mirror_chain<'a>(&'a self, beam: &'a Beam) -> impl Iterator<Item = &'a Beam> {
         std::iter::successors(Some(beam), |b| b.parent.map(|parent| &self.beams[parent as usize]))
     }
 
@@ -204,7 +204,7 @@ impl BeamTree {
 
     /// Number of sheets on the path of a beam.
     pub(crate) fn passed(&self, beam: &Beam) -> usize {
-        self.way_back(beam).map(|of_way| of_way.sheets.len()).sum()
+        self.mirror_chain(beam).map(|of_way| of_way.sheets.len()).sum()
     }
 }
 
@@ -239,7 +239,7 @@ impl<'a> GrowingTree<'a> {
 
     /// Traces up to an order, which must not exceed that of the settings.
     pub(crate) fn grow_to(&mut self, order: u8) -> Result<(), BartError> {
-        grow_to::<ByHierarchy>(self.world, order.min(self.growth.settings.max_order), &mut self.growth)
+        grow_to::<BvhVisibility>(self.world, order.min(self.growth.settings.max_order), &mut self.growth)
     }
 
     pub(crate) fn tree(&self) -> &BeamTree {
@@ -255,7 +255,7 @@ fn grow_to<V: Visibility>(world: &World, order: u8, growth: &mut Growth<'_>) -> 
         growth.progress.at(Phase::Tracing, 0, 0);
         let view = View::direct(world, growth.settings.sides, antenna);
         let seen: Vec<LitParts> =
-            V::direct(&view).into_par_iter().map(|parts| parted(&view, parts)).collect();
+            V::direct(&view).into_par_iter().map(|parts| split_at_sheets(&view, parts)).collect();
         for parts in seen {
             growth.take(None, antenna, 1, parts)?;
         }
@@ -275,11 +275,11 @@ fn grow_order<V: Visibility>(world: &World, order: u8, growth: &mut Growth) -> R
     let pool = Mutex::default();
     for (number, batch) in parents.chunks(BATCH).enumerate() {
         growth.progress.at(Phase::Tracing, number * BATCH, parents.len());
-        let reflect = |lent: &mut Lent<'_>, &index: &u32| {
+        let reflect = |lent: &mut PooledBuffers<'_>, &index: &u32| {
             let view = growth.view(world, index)?;
-            Some((index, view.antenna, parted(&view, V::reflected(&view, &mut lent.buffers))))
+            Some((index, view.antenna, split_at_sheets(&view, V::reflected(&view, &mut lent.buffers))))
         };
-        let met: Vec<_> = batch.par_iter().map_init(|| Lent::from(&pool), reflect).collect();
+        let met: Vec<_> = batch.par_iter().map_init(|| PooledBuffers::from(&pool), reflect).collect();
         for (parent, image, parts) in met.into_iter().flatten() {
             incident_section += growth.tree.beams[parent as usize].section;
             growth.take(Some(parent), image, order, parts)?;
@@ -292,19 +292,19 @@ fn grow_order<V: Visibility>(world: &World, order: u8, growth: &mut Growth) -> R
 
 /// Pool of reusable buffers: each has an entry for every facet of the world, and allocating them for every
 /// part of every batch was a fifth of the work on two million facets.
-struct Lent<'p> {
+struct PooledBuffers<'p> {
     buffers: Buffers,
     pool: &'p Mutex<Vec<Buffers>>,
 }
 
-impl<'p> Lent<'p> {
+impl<'p> PooledBuffers<'p> {
     fn from(pool: &'p Mutex<Vec<Buffers>>) -> Self {
         let buffers = pool.lock().unwrap_or_else(PoisonError::into_inner).pop().unwrap_or_default();
         Self { buffers, pool }
     }
 }
 
-impl Drop for Lent<'_> {
+impl Drop for PooledBuffers<'_> {
     fn drop(&mut self) {
         let buffers = std::mem::take(&mut self.buffers);
         self.pool.lock().unwrap_or_else(PoisonError::into_inner).push(buffers);
@@ -317,7 +317,7 @@ pub(crate) struct Growth<'a> {
     pub(crate) settings: &'a TraceSettings,
     progress: &'a dyn Progress,
     /// Sequences of bodies that are followed; `None` for all.
-    ways: Option<&'a BodyWays>,
+    ways: Option<&'a BodySequences>,
     /// Edges of the last two orders' polygons, from vertex `first_edge` of the tree on.
     edges: Vec<(Plane, BorderLine)>,
     first_edge: usize,
@@ -351,7 +351,7 @@ impl<'a> Growth<'a> {
         let least = self.settings.least_mirror_area_m2;
         let is_on_a_way = |index: usize| {
             let bodies = || self.tree.bodies(world, &self.tree.beams[index]);
-            self.ways.is_none_or(|ways| ways.go_on_from(&bodies()))
+            self.ways.is_none_or(|ways| ways.continue_from(&bodies()))
         };
         let reflected = |&index: &usize| self.tree.beams[index].across_m2 >= least && is_on_a_way(index);
         last.filter(reflected).map(|index| index as u32).collect()
@@ -434,7 +434,7 @@ impl OrderAudit {
     /// Area across the wave of dropped polygons and of mirrors that were not followed: its sum, m², and the
     /// sum of its squares, m⁴, those of mirrors times their scattering share. The last order is not reflected
     /// at all: nothing is missing behind its mirrors.
-    pub(crate) fn given_up(&self, mirrors: Mirroring) -> [f64; 2] {
+    pub(crate) fn dropped_sections(&self, mirrors: Mirroring) -> [f64; 2] {
         match mirrors {
             Mirroring::Followed { share: MirrorShare { mean, spread } } => [
                 self.dropped_across_m2 + self.unreflected_across_m2,
@@ -489,13 +489,13 @@ pub(crate) struct MirrorShare {
 }
 
 impl Audit {
-    /// Sum of [`OrderAudit::given_up`] over the first `needed` orders; `share` gives the mirror share of
-    /// each, counted from 1.
-    pub(crate) fn given_up(&self, needed: u8, share: impl Fn(u8) -> MirrorShare) -> [f64; 2] {
+    /// Sum of [`OrderAudit::dropped_sections`] over the first `needed` orders; `share` gives the mirror share
+    /// of each, counted from 1.
+    pub(crate) fn dropped_sections(&self, needed: u8, share: impl Fn(u8) -> MirrorShare) -> [f64; 2] {
         let mirrors = |order: u8| {
             if order < needed { Mirroring::Followed { share: share(order) } } else { Mirroring::Last }
         };
-        let of = |(order, audit): (u8, &OrderAudit)| audit.given_up(mirrors(order));
+        let of = |(order, audit): (u8, &OrderAudit)| audit.dropped_sections(mirrors(order));
         (1..=needed).zip(&self.orders).map(of).fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]])
     }
 }
@@ -508,7 +508,7 @@ fn index(count: usize) -> Result<u32, BartError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::oversight::memory::{JOINED_PER_TREE, MemoryLimit};
+    use crate::run_control::memory::{JOINED_PER_TREE, MemoryLimit};
     use artifact::scene::Mesh;
 
     /// A corner of 2 × 20 × 20 squares.

@@ -1,17 +1,17 @@
 //! Slow, obvious reference of [`crate::beams::visibility`]: every facet is clipped against every other,
 //! without hierarchy or lists.
 
-use crate::beams::sight::lit_parts::LitParts;
-use crate::beams::sight::shadow::{Hides, Shadow};
-use crate::beams::sight::view::View;
+use crate::beams::occlusion::lit_parts::LitParts;
+use crate::beams::occlusion::shadow::{HiddenPart, Shadow};
+use crate::beams::occlusion::view::View;
 use crate::beams::visibility::{Buffers, Visibility};
 use crate::geometry::border::Border;
 use crate::geometry::clip::{Corner, Split, split};
 
 /// Visibility by testing all pairs.
-pub(crate) struct EveryFacet;
+pub(crate) struct BruteForceVisibility;
 
-impl Visibility for EveryFacet {
+impl Visibility for BruteForceVisibility {
     fn direct(view: &View) -> Vec<LitParts> {
         vec![parts_in(view)]
     }
@@ -42,8 +42,8 @@ fn parts_in(view: &View) -> LitParts {
 }
 
 /// Parts of a piece outside one shadow.
-fn outside(piece: Vec<Corner>, occluder: &Shadow, hides: Hides, tolerance_m: f64) -> Vec<Vec<Corner>> {
-    if hides == Hides::Nothing {
+fn outside(piece: Vec<Corner>, occluder: &Shadow, hides: HiddenPart, tolerance_m: f64) -> Vec<Vec<Corner>> {
+    if hides == HiddenPart::Nothing {
         return vec![piece];
     }
     let (mut kept, mut rest) = (Vec::new(), piece.clone());
@@ -64,13 +64,13 @@ fn outside(piece: Vec<Corner>, occluder: &Shadow, hides: Hides, tolerance_m: f64
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::beams::sight::lit_parts::LitParts;
-    use crate::beams::sight::prospect::Prospect;
-    use crate::beams::sight::solid_cells::visible;
-    use crate::beams::visibility::ByHierarchy;
+    use crate::beams::occlusion::lit_parts::LitParts;
+    use crate::beams::occlusion::projection::ProjectedView;
+    use crate::beams::occlusion::solid_cells::visible;
+    use crate::beams::visibility::BvhVisibility;
     use crate::bodies::world::World;
     use crate::geometry::antenna::Antenna;
-    use artifact::material::{Backing, Layer, Makeup, Material, Thickness, Transmission};
+    use artifact::material::{Backing, Layer, Material, MeshMaterials, Thickness, Transmission};
     use artifact::scene::Mesh;
     use artifact::settings::Sides;
     use glam::DVec3;
@@ -132,12 +132,12 @@ mod tests {
             let world = World::of_mesh(&filled_ball(missing)).unwrap();
             for antenna in ANTENNAS {
                 let view = View::direct(&world, Sides::Two, antenna);
-                let prospect = Prospect::of_all(&view).unwrap();
-                let left: Vec<u32> = visible(&prospect, &view).iter().map(|sight| sight.facet).collect();
-                let refused = prospect.sights.len() - left.len();
-                let asked = lit_m2(&EveryFacet::direct(&view), world.facets().len());
-                let got = lit_m2(&ByHierarchy::direct(&view), world.facets().len());
-                println!("{refused} of {} refused, {least_refused} asked", prospect.sights.len());
+                let projected = ProjectedView::of_all(&view).unwrap();
+                let left: Vec<u32> = visible(&projected, &view).iter().map(|facet| facet.facet).collect();
+                let refused = projected.facets.len() - left.len();
+                let asked = lit_m2(&BruteForceVisibility::direct(&view), world.facets().len());
+                let got = lit_m2(&BvhVisibility::direct(&view), world.facets().len());
+                println!("{refused} of {} refused, {least_refused} asked", projected.facets.len());
                 assert!(refused >= least_refused);
                 for (facet, (asked, got)) in asked.iter().zip(&got).enumerate() {
                     assert!((asked - got).abs() < 1e-12, "facet {facet}: {asked} asked, {got} got");
@@ -157,16 +157,16 @@ mod tests {
         let mesh = filled_ball(100_000);
         let ball = mesh.triangles.len() - 300;
         let inside = |transmission: Transmission| {
-            let makeup = Makeup { materials: vec![glass.clone(), Material::Conductor], transmission };
+            let makeup = MeshMaterials { materials: vec![glass.clone(), Material::Conductor], transmission };
             let material_of_triangle = (0..mesh.triangles.len()).map(|t| u16::from(t >= ball)).collect();
             let materials = vec!["glass".to_owned(), "metal".to_owned()];
             let world =
                 World::of_mesh(&Mesh { materials, material_of_triangle, makeup, ..mesh.clone() }).unwrap();
             let view = View::direct(&world, Sides::Two, ANTENNAS[0]);
-            let sights = visible(&Prospect::of_all(&view).unwrap(), &view);
+            let facets = visible(&ProjectedView::of_all(&view).unwrap(), &view);
             let left: Vec<usize> =
-                sights.iter().map(|sight| sight.facet as usize).filter(|f| *f >= ball).collect();
-            let lit_m2 = lit_m2(&EveryFacet::direct(&view), world.facets().len());
+                facets.iter().map(|facet| facet.facet as usize).filter(|f| *f >= ball).collect();
+            let lit_m2 = lit_m2(&BruteForceVisibility::direct(&view), world.facets().len());
             let lit: Vec<usize> = (ball..lit_m2.len()).filter(|facet| lit_m2[*facet] > 1e-12).collect();
             assert!(lit.iter().all(|facet| left.contains(facet)), "{transmission:?}: lit and refused");
             [lit.len(), left.len()]
@@ -180,6 +180,6 @@ mod tests {
     fn an_antenna_among_the_facets_has_no_prospect() {
         let world = World::of_mesh(&filled_ball(100_000)).unwrap();
         let view = View::direct(&world, Sides::Two, Antenna::Point(DVec3::splat(0.1)));
-        assert!(Prospect::of_all(&view).is_none());
+        assert!(ProjectedView::of_all(&view).is_none());
     }
 }

@@ -1,19 +1,19 @@
 //! Beams of the antenna's image below the road, beside the antenna's own.
 
 use crate::beams::beam::{Beam, BeamTree};
-use crate::bodies::road::Half;
+use crate::bodies::road::HalfSpace;
 use crate::bodies::road_mirror::{below, image};
 use crate::bodies::world::World;
 
 /// Beams that arrive at the antenna, directly and via the road.
-pub(crate) struct Received {
+pub(crate) struct RoadTree {
     /// Beams of the antenna and of its image as those of one antenna, by order.
     pub(crate) tree: BeamTree,
     /// Twin of every beam: for the antenna's own the beam itself, for the image's the beam that it mirrors.
     pub(crate) twins: Vec<u32>,
 }
 
-impl Received {
+impl RoadTree {
     /// Adds the beams of the antenna's image. It sees the images of what the antenna sees, so they are
     /// mirrored rather than traced.
     pub(crate) fn with_image(world: &World, direct: &BeamTree) -> Self {
@@ -23,9 +23,9 @@ impl Received {
         let of_order = |a: &(usize, &Beam), b: &(usize, &Beam)| a.1.order == b.1.order;
         let beams: Vec<(usize, &Beam)> = direct.beams.iter().enumerate().collect();
         for order in beams.chunk_by(of_order) {
-            for (half, places) in [Half::Above, Half::Below].into_iter().zip(&mut places) {
+            for (half, places) in [HalfSpace::Above, HalfSpace::Below].into_iter().zip(&mut places) {
                 for &(index, beam) in order {
-                    let beam = if half == Half::Below {
+                    let beam = if half == HalfSpace::Below {
                         below_road(world, direct, beam, &mut tree)
                     } else {
                         beam.clone()
@@ -67,11 +67,12 @@ fn below_road(world: &World, direct: &BeamTree, beam: &Beam, tree: &mut BeamTree
 /// an image.
 pub(crate) fn goes_by_road(world: &World, tree: &BeamTree, beam: &Beam) -> bool {
     world.road().is_some()
-        && (origin(tree, beam) != Half::Above || tree.way_back(beam).any(|met| world.is_image(met.facet)))
+        && (origin(tree, beam) != HalfSpace::Above
+            || tree.mirror_chain(beam).any(|met| world.is_image(met.facet)))
 }
 
 /// Half-space of the antenna, the real one or its image, from which a beam came.
-pub(crate) fn origin(tree: &BeamTree, beam: &Beam) -> Half {
-    let is_direct = tree.way_back(beam).last().is_none_or(|first| first.image == tree.antenna);
-    if is_direct { Half::Above } else { Half::Below }
+pub(crate) fn origin(tree: &BeamTree, beam: &Beam) -> HalfSpace {
+    let is_direct = tree.mirror_chain(beam).last().is_none_or(|first| first.image == tree.antenna);
+    if is_direct { HalfSpace::Above } else { HalfSpace::Below }
 }

@@ -1,11 +1,11 @@
 //! Trees of antennas that stand outside bodies; others are refused.
 
 use crate::beams::beam::{BeamTree, TraceSettings};
-use crate::bodies::stand_off::{check_enclosed, check_stand};
+use crate::bodies::stand_off::{check_antenna_position, check_enclosed};
 use crate::bodies::world::World;
 use crate::geometry::antenna::Antenna;
-use crate::oversight::error::BartError;
-use crate::oversight::progress::Progress;
+use crate::run_control::error::BartError;
+use crate::run_control::progress::Progress;
 
 impl BeamTree {
     /// [`BeamTree::trace`] with progress, for an antenna whose position is permitted at this wavelength.
@@ -16,8 +16,8 @@ impl BeamTree {
         settings: &TraceSettings,
         progress: &dyn Progress,
     ) -> Result<Self, BartError> {
-        check_stand(world, antenna, wavelength_m)?;
-        let tree = Self::trace_heard(world, antenna, settings, progress)?;
+        check_antenna_position(world, antenna, wavelength_m)?;
+        let tree = Self::trace_with_progress(world, antenna, settings, progress)?;
         tree.check_open(world)?;
         Ok(tree)
     }

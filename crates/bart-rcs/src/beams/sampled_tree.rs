@@ -2,14 +2,14 @@
 //! Computation 29 (1975) 121): an estimate of the tree's size for a small part of its cost.
 
 use crate::beams::beam::{BeamTree, Growth, TraceSettings};
-use crate::beams::sheets::parted;
-use crate::beams::sight::shadow::Shadow;
-use crate::beams::sight::view::View;
-use crate::beams::visibility::{Buffers, ByHierarchy, Visibility, direct_of};
+use crate::beams::occlusion::shadow::Shadow;
+use crate::beams::occlusion::view::View;
+use crate::beams::sheets::split_at_sheets;
+use crate::beams::visibility::{Buffers, BvhVisibility, Visibility, direct_of};
 use crate::bodies::world::World;
 use crate::geometry::antenna::Antenna;
-use crate::oversight::error::BartError;
-use crate::oversight::progress::Unheard;
+use crate::run_control::error::BartError;
+use crate::run_control::progress::NoProgress;
 use rayon::prelude::*;
 
 /// Sampled beams with their weights.
@@ -32,7 +32,7 @@ impl SampledTree {
         settings: &TraceSettings,
         most: usize,
     ) -> Result<Self, BartError> {
-        let mut growth = Growth::new(antenna, settings, &Unheard);
+        let mut growth = Growth::new(antenna, settings, &NoProgress);
         let (mut stands_for, mut mirrors) = (Vec::new(), Vec::new());
         let in_sight = first_order(world, &mut growth, most, &mut stands_for)?;
         for order in 2..=settings.max_order {
@@ -58,7 +58,7 @@ fn first_order(
     });
     growth.begin_order(world);
     for (parts, (_, each)) in seen.into_iter().zip(chosen) {
-        growth.take(None, antenna, 1, parted(&view, parts))?;
+        growth.take(None, antenna, 1, split_at_sheets(&view, parts))?;
         stands_for.resize(growth.tree.beams.len(), each);
     }
     Ok(in_sight)
@@ -80,7 +80,7 @@ fn next_order(
     let reflect = |buffers: &mut Buffers, &(place, each): &(usize, f64)| {
         let parent = parents[place];
         let view = growth.view(world, parent)?;
-        let parts = parted(&view, ByHierarchy::reflected(&view, buffers));
+        let parts = split_at_sheets(&view, BvhVisibility::reflected(&view, buffers));
         Some((parent, view.antenna, parts, each * stands_for[parent as usize]))
     };
     let met: Vec<_> = chosen.par_iter().map_init(Buffers::default, reflect).collect();

@@ -4,9 +4,9 @@
 //! sheets before it, so that every piece has passed one set of sheets, and records them. Their effect on the
 //! field is left to the integration.
 
-use crate::beams::sight::lit_parts::LitParts;
-use crate::beams::sight::shadow::{Cover, Hides, Shadow};
-use crate::beams::sight::view::View;
+use crate::beams::occlusion::lit_parts::LitParts;
+use crate::beams::occlusion::shadow::{HiddenPart, Shadow, ShadowCover};
+use crate::beams::occlusion::view::View;
 use crate::bodies::world::VisitBuffers;
 use crate::geometry::border::Border;
 use crate::geometry::clip::{Corner, Split, split};
@@ -20,7 +20,7 @@ struct SheetPiece {
 }
 
 /// Polygons of a view divided by the sheets before them.
-pub(crate) fn parted(view: &View, parts: LitParts) -> LitParts {
+pub(crate) fn split_at_sheets(view: &View, parts: LitParts) -> LitParts {
     if view.world.sheets().is_empty() {
         return parts;
     }
@@ -44,7 +44,7 @@ fn sheets_about(view: &View, polygon: &[Corner], target: &Shadow, walk: &mut Vis
     let mut found = Vec::new();
     let planes = polygon.iter().map(|corner| corner.edge).chain([target.front]);
     let _ = view.world.visit_inside(planes, None, DVec3::ZERO, walk, |facet| {
-        found.extend((facet != target.facet && view.world.is_passed(facet)).then_some(facet));
+        found.extend((facet != target.facet && view.world.is_transparent(facet)).then_some(facet));
         ControlFlow::Continue(())
     });
     found.sort_unstable();
@@ -54,11 +54,11 @@ fn sheets_about(view: &View, polygon: &[Corner], target: &Shadow, walk: &mut Vis
 fn part_one(view: &View, polygon: &[Corner], target: &Shadow, sheets: &[Shadow], all: &mut LitParts) {
     let mut pieces = vec![SheetPiece { corners: polygon.to_vec(), sheets: Vec::new() }];
     for sheet in sheets {
-        if sheet.cover(Hides::AllInItsCone, polygon, view.tolerance_m()) == Cover::Apart {
+        if sheet.cover(HiddenPart::AllInItsCone, polygon, view.tolerance_m()) == ShadowCover::Apart {
             continue;
         }
         let before = sheet.stands_before(target, view);
-        if before != Hides::Nothing {
+        if before != HiddenPart::Nothing {
             pieces = pieces
                 .into_iter()
                 .flat_map(|piece| piece.behind(sheet, before, view.tolerance_m()))
@@ -75,14 +75,14 @@ fn part_one(view: &View, polygon: &[Corner], target: &Shadow, sheets: &[Shadow],
 
 impl SheetPiece {
     /// Parts that have passed the sheet, and parts that have not.
-    fn behind(mut self, sheet: &Shadow, before: Hides, tolerance_m: f64) -> Vec<Self> {
+    fn behind(mut self, sheet: &Shadow, before: HiddenPart, tolerance_m: f64) -> Vec<Self> {
         match sheet.cover(before, &self.corners, tolerance_m) {
-            Cover::Apart => return vec![self],
-            Cover::Whole => {
+            ShadowCover::Apart => return vec![self],
+            ShadowCover::Whole => {
                 self.sheets.push(sheet.facet);
                 return vec![self];
             }
-            Cover::Partial => {}
+            ShadowCover::Partial => {}
         }
         let mut pieces = Vec::new();
         let mut inside = self.corners.clone();

@@ -5,12 +5,12 @@
 //! after another, the largest first, and every piece keeps only those that may still reach it: a facet behind
 //! a dense mesh costs the outline of its shadow, not the number of facets in front.
 
-use crate::beams::sight::lit_parts::LitParts;
-use crate::beams::sight::projection_grid::ProjectionGrid;
-use crate::beams::sight::prospect::{Extent, Prospect, Sight};
-use crate::beams::sight::shadow::{Cover, Hides, Shadow};
-use crate::beams::sight::solid_cells::visible;
-use crate::beams::sight::view::View;
+use crate::beams::occlusion::lit_parts::LitParts;
+use crate::beams::occlusion::projection::{ProjectedExtent, ProjectedFacet, ProjectedView};
+use crate::beams::occlusion::projection_grid::ProjectionGrid;
+use crate::beams::occlusion::shadow::{HiddenPart, Shadow, ShadowCover};
+use crate::beams::occlusion::solid_cells::visible;
+use crate::beams::occlusion::view::View;
 use crate::bodies::world::VisitBuffers;
 use crate::geometry::antenna::Antenna;
 use crate::geometry::border::Border;
@@ -29,7 +29,7 @@ pub(crate) trait Visibility {
 }
 
 /// Visibility using the bodies' hierarchies.
-pub(crate) struct ByHierarchy;
+pub(crate) struct BvhVisibility;
 
 /// Buffers reused from view to view.
 #[derive(Default)]
@@ -38,7 +38,7 @@ pub(crate) struct Buffers {
     found: Vec<u32>,
     shadows: Vec<Shadow>,
     slot_of_facet: Vec<u32>,
-    cutter: Cutter,
+    cutter: OccluderSubtraction,
 }
 
 /// Number of facets in view above which beams sort them into a grid of their own, or, if there can be none,
@@ -46,7 +46,7 @@ pub(crate) struct Buffers {
 const MANY_IN_VIEW: usize = 24;
 const NO_SLOT: u32 = u32::MAX;
 
-impl Visibility for ByHierarchy {
+impl Visibility for BvhVisibility {
     fn direct(view: &View) -> Vec<LitParts> {
         let seen = direct_of(view, |shadows| (0..shadows.len() as u32).collect());
         seen.into_iter().filter(|parts| !parts.parts.is_empty()).collect()
@@ -56,7 +56,7 @@ impl Visibility for ByHierarchy {
         buffers.gather(view);
         let Buffers { walk, shadows, slot_of_facet, cutter, .. } = buffers;
         let grid = (shadows.len() > MANY_IN_VIEW).then(|| ProjectionGrid::over(shadows, view)).flatten();
-        let table = Table { shadows, slot_of_facet, grid: grid.as_ref() };
+        let table = ShadowTable { shadows, slot_of_facet, grid: grid.as_ref() };
         let mut parts = LitParts::default();
         for slot in 0..shadows.len() as u32 {
             see_facet(view, &table, slot, walk, cutter, &mut parts);
@@ -71,8 +71,8 @@ pub(crate) fn direct_of(view: &View, choose: impl FnOnce(&[Shadow]) -> Vec<u32>)
     let (shadows, grid) = in_sight(view);
     let mut slot_of_facet = vec![NO_SLOT; view.world.facets().len()];
     (0..).zip(&shadows).for_each(|(slot, shadow)| slot_of_facet[shadow.facet as usize] = slot);
-    let table = Table { shadows: &shadows, slot_of_facet: &slot_of_facet, grid: grid.as_ref() };
-    let lit = |(walk, cutter): &mut (VisitBuffers, Cutter), slot: u32| {
+    let table = ShadowTable { shadows: &shadows, slot_of_facet: &slot_of_facet, grid: grid.as_ref() };
+    let lit = |(walk, cutter): &mut (VisitBuffers, OccluderSubtraction), slot: u32| {
         let mut parts = LitParts::default();
         see_facet(view, &table, slot, walk, cutter, &mut parts);
         parts
@@ -83,13 +83,13 @@ pub(crate) fn direct_of(view: &View, choose: impl FnOnce(&[Shadow]) -> Vec<u32>)
 
 /// Shadows of all facets that may be directly visible, in their order.
 fn in_sight(view: &View) -> (Vec<Shadow>, Option<ProjectionGrid>) {
-    let Some(prospect) = Prospect::of_all(view) else {
+    let Some(projected) = ProjectedView::of_all(view) else {
         let facets = (0..view.world.facets().len() as u32).into_par_iter();
         return (facets.filter_map(|facet| Shadow::of(facet, view)).collect(), None);
     };
-    let shadow = |sight: &Sight| Some((Shadow::of(sight.facet, view)?, sight.extent));
-    let (shadows, extents): (Vec<Shadow>, Vec<Extent>) =
-        visible(&prospect, view).par_iter().filter_map(shadow).unzip();
+    let shadow = |facet: &ProjectedFacet| Some((Shadow::of(facet.facet, view)?, facet.extent));
+    let (shadows, extents): (Vec<Shadow>, Vec<ProjectedExtent>) =
+        visible(&projected, view).par_iter().filter_map(shadow).unzip();
     let grid = ProjectionGrid::of(&extents);
     (shadows, grid)
 }
@@ -122,7 +122,7 @@ impl Buffers {
 }
 
 /// Shadows of the facets in view.
-struct Table<'a> {
+struct ShadowTable<'a> {
     shadows: &'a [Shadow],
     slot_of_facet: &'a [u32],
     /// Grid of a direct view with all facets in front of the antenna.
@@ -132,16 +132,16 @@ struct Table<'a> {
 /// Appends the visible part of the facet in `slot`.
 fn see_facet(
     view: &View,
-    table: &Table,
+    table: &ShadowTable,
     slot: u32,
     walk: &mut VisitBuffers,
-    cutter: &mut Cutter,
+    cutter: &mut OccluderSubtraction,
     parts: &mut LitParts,
 ) {
     let target = &table.shadows[slot as usize];
     let Some(polygon) = view.clip(target, &mut cutter.corners, &mut cutter.distances_m) else { return };
     cutter.occluders.clear();
-    let mut search = Search {
+    let mut search = OccluderSearch {
         view,
         table,
         slot,
@@ -155,9 +155,9 @@ fn see_facet(
 }
 
 /// Search for the occluders of a polygon.
-struct Search<'a> {
+struct OccluderSearch<'a> {
     view: &'a View<'a>,
-    table: &'a Table<'a>,
+    table: &'a ShadowTable<'a>,
     slot: u32,
     target: &'a Shadow,
     polygon: &'a [Corner],
@@ -169,11 +169,11 @@ struct Search<'a> {
 struct Occluder {
     /// Index into the table of shadows.
     slot: u32,
-    hides: Hides,
+    hides: HiddenPart,
     apparent_size: f64,
 }
 
-impl Search<'_> {
+impl OccluderSearch<'_> {
     /// Collects possible occluders of the polygon, largest first; breaks if one facet hides all of it.
     fn find_occluders(&mut self, walk: &mut VisitBuffers) -> ControlFlow<()> {
         if let Some(grid) = self.table.grid {
@@ -212,22 +212,22 @@ impl Search<'_> {
             return ControlFlow::Continue(());
         }
         let (shadow, tolerance_m) = (&self.table.shadows[slot as usize], self.view.tolerance_m());
-        let of_cone = shadow.cover(Hides::AllInItsCone, self.polygon, tolerance_m);
-        if of_cone == Cover::Apart || self.is_beside(shadow.facet) {
+        let of_cone = shadow.cover(HiddenPart::AllInItsCone, self.polygon, tolerance_m);
+        if of_cone == ShadowCover::Apart || self.is_beside(shadow.facet) {
             return ControlFlow::Continue(());
         }
         let hides = shadow.hides(self.target, self.view);
         let cover = match hides {
-            Hides::Nothing => Cover::Apart,
-            Hides::AllInItsCone => of_cone,
-            Hides::InItsConeAnd(plane) => of_cone.and(&plane, self.polygon, tolerance_m),
+            HiddenPart::Nothing => ShadowCover::Apart,
+            HiddenPart::AllInItsCone => of_cone,
+            HiddenPart::InItsConeAnd(plane) => of_cone.and(&plane, self.polygon, tolerance_m),
         };
         match cover {
-            Cover::Apart => {}
-            Cover::Partial => {
+            ShadowCover::Apart => {}
+            ShadowCover::Partial => {
                 self.occluders.push(Occluder { slot, hides, apparent_size: shadow.apparent_size })
             }
-            Cover::Whole => return ControlFlow::Break(()),
+            ShadowCover::Whole => return ControlFlow::Break(()),
         }
         ControlFlow::Continue(())
     }
@@ -241,24 +241,24 @@ impl Search<'_> {
 
 /// Subtracts occluders from a polygon.
 #[derive(Default)]
-struct Cutter {
+struct OccluderSubtraction {
     /// Polygons, with those of the open pieces first.
     corners: Vec<Corner>,
     distances_m: Vec<f64>,
     occluders: Vec<Occluder>,
     /// Lists of indices into `occluders`, with those of the open pieces first.
     lists: Vec<u32>,
-    open: Vec<OpenPiece>,
+    open: Vec<OpenPolygon>,
 }
 
 /// A polygon and the occluders that may still reach it.
 #[derive(Debug, Clone)]
-struct OpenPiece {
+struct OpenPolygon {
     polygon: Range<usize>,
     list: Range<usize>,
 }
 
-impl Cutter {
+impl OccluderSubtraction {
     /// Calls `lit` with every unhidden piece of `corners[polygon]`; all occluders reach the polygon.
     fn cut(
         &mut self,
@@ -289,7 +289,7 @@ impl Cutter {
     /// it.
     fn list_what_reaches(
         &mut self,
-        piece: &OpenPiece,
+        piece: &OpenPolygon,
         shadows: &[Shadow],
         tolerance_m: f64,
     ) -> ControlFlow<()> {
@@ -298,9 +298,9 @@ impl Cutter {
             let index = self.lists[i];
             let occluder = &self.occluders[index as usize];
             match shadows[occluder.slot as usize].cover(occluder.hides, polygon, tolerance_m) {
-                Cover::Apart => {}
-                Cover::Partial => self.lists.push(index),
-                Cover::Whole => return ControlFlow::Break(()),
+                ShadowCover::Apart => {}
+                ShadowCover::Partial => self.lists.push(index),
+                ShadowCover::Whole => return ControlFlow::Break(()),
             }
         }
         ControlFlow::Continue(())
@@ -349,7 +349,7 @@ impl Cutter {
                 Split::Inside => {}
                 Split::Outside => return false,
                 Split::Cut { inside, outside } => {
-                    self.open.push(OpenPiece { polygon: outside, list: list.clone() });
+                    self.open.push(OpenPolygon { polygon: outside, list: list.clone() });
                     polygon = inside;
                 }
             }

@@ -20,7 +20,7 @@ impl BehindArray {
     /// Half-space behind a radar's array, if it has no gain there; `fastest_mps` is the maximum speed of
     /// moving bodies.
     pub(crate) fn of(radar: &Radar, fastest_mps: f64) -> Option<Self> {
-        if radar.array.pattern.hears_behind() {
+        if radar.array.pattern.radiates_behind() {
             return None;
         }
         let [_, normal, _] = radar::aperture::axes(radar);

@@ -7,7 +7,7 @@
 
 use crate::bodies::models::Models;
 use crate::bodies::motion::RigidMotion;
-use crate::oversight::error::BartError;
+use crate::run_control::error::BartError;
 use artifact::Radar;
 use artifact::paths::Path;
 use artifact::radar::Pattern;

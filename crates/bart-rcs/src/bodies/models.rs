@@ -6,11 +6,11 @@ use crate::mesh::mesh_edges::{MeshEdges, exact_places};
 use crate::mesh::neighbours::Neighbours;
 use crate::mesh::patch::Patches;
 use crate::mesh::wedges::body_edges::{BodyEdges, body_edges};
-use crate::oversight::error::BartError;
-use crate::oversight::memory::MemoryLimit;
+use crate::run_control::error::BartError;
+use crate::run_control::memory::MemoryLimit;
 use crate::surface::skin::Skin;
 use crate::surface::skin_triangles::SkinTriangles;
-use artifact::material::{Makeup, Material};
+use artifact::material::{Material, MeshMaterials};
 use artifact::scene::{Mesh, RoadWheel, SceneHeader, Target, TargetKind};
 use artifact::settings::Wheels;
 use glam::DVec3;
@@ -198,10 +198,10 @@ impl BodyMesh {
         self.materials.iter().flatten().any(|material| matches!(**material, Material::Layers { .. }))
     }
 
-    /// Diffracting edges; the first `untold_m` passed, a distance negligible for any wave, decides which
+    /// Diffracting edges; the first `negligible_m` passed, a distance negligible for any wave, decides which
     /// seams are closed.
-    pub(crate) fn edges(&self, untold_m: f64) -> &BodyEdges {
-        let find = || body_edges(&self.skin.triangles_m, &self.skin.corner_normals, untold_m);
+    pub(crate) fn edges(&self, negligible_m: f64) -> &BodyEdges {
+        let find = || body_edges(&self.skin.triangles_m, &self.skin.corner_normals, negligible_m);
         self.edges.get_or_init(find)
     }
 }
@@ -220,8 +220,8 @@ fn check_materials(mesh: &Mesh) -> Result<(), BartError> {
     mesh.makeup.materials.iter().position(|material| !material.is_sound()).map_or(Ok(()), wrong)
 }
 
-fn lossy_materials(makeup: &Makeup) -> Vec<Option<Arc<Material>>> {
-    if makeup.conducts_all_over() {
+fn lossy_materials(makeup: &MeshMaterials) -> Vec<Option<Arc<Material>>> {
+    if makeup.is_perfect_conductor() {
         return Vec::new();
     }
     let lossy = |m: &Material| (*m != Material::Conductor).then(|| Arc::new(m.clone()));

@@ -3,7 +3,7 @@
 use crate::bodies::road_mirror::below;
 use artifact::scene::Pose;
 use glam::DVec3;
-use radar::motion::{pose_after, whole_acceleration_mps2};
+use radar::motion::{pose_after, total_acceleration_mps2};
 
 /// Velocity of a point at one instant, and its constant acceleration.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -47,7 +47,7 @@ impl RigidMotion {
             (at_m, Motion { velocity_mps, ..start })
         } else {
             let later = pose_after(pose, seconds);
-            let motion = Motion::from_arrays(later.velocity_mps, whole_acceleration_mps2(&later));
+            let motion = Motion::from_arrays(later.velocity_mps, total_acceleration_mps2(&later));
             (DVec3::from_array(later.position_m), motion)
         };
         let turn_radps = DVec3::Z * pose.yaw_radps;

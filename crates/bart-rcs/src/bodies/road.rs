@@ -13,7 +13,7 @@
 use crate::bodies::world::World;
 use crate::materials::reflection_coefficients::PolarizationPair;
 use crate::materials::surface_response::reflection;
-use crate::oversight::error::BartError;
+use crate::run_control::error::BartError;
 use artifact::material::{Material, Road};
 use artifact::permittivity::substance;
 use artifact::scene::SceneHeader;
@@ -35,7 +35,7 @@ pub(crate) fn crossing(
 
 /// Half-space above or below the road.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Half {
+pub(crate) enum HalfSpace {
     /// Half-space of the vehicles.
     Above,
     /// Half-space of their images.
@@ -64,6 +64,6 @@ pub fn usual_road() -> Option<Road> {
 }
 
 /// Half-space that contains a facet.
-pub(crate) fn half_of(world: &World, facet: u32) -> Half {
-    if world.is_image(facet) { Half::Below } else { Half::Above }
+pub(crate) fn half_of(world: &World, facet: u32) -> HalfSpace {
+    if world.is_image(facet) { HalfSpace::Below } else { HalfSpace::Above }
 }

@@ -10,14 +10,18 @@ use crate::bodies::world::World;
 use crate::geometry::antenna::Antenna;
 use crate::geometry::facet_geometry::FacetGeometry;
 use crate::geometry::section::triangle_sr;
-use crate::oversight::error::BartError;
+use crate::run_control::error::BartError;
 use glam::DVec3;
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 /// Refuses an antenna nearer to a facet than a wavelength, or inside a closed body with consistently wound
 /// facets.
-pub(crate) fn check_stand(world: &World, antenna: Antenna, wavelength_m: f64) -> Result<(), BartError> {
+pub(crate) fn check_antenna_position(
+    world: &World,
+    antenna: Antenna,
+    wavelength_m: f64,
+) -> Result<(), BartError> {
     let Antenna::Point(at_m) = antenna else { return Ok(()) };
     let Some(reach) = world.facets().iter().map(bounds).reduce(joined) else { return Ok(()) };
     if distance_to_box_m(at_m, reach) >= wavelength_m {
@@ -135,7 +139,7 @@ mod tests {
     }
 
     fn standing(at_m: [f64; 3]) -> Result<(), BartError> {
-        check_stand(&cube(), Antenna::Point(DVec3::from_array(at_m)), 0.004)
+        check_antenna_position(&cube(), Antenna::Point(DVec3::from_array(at_m)), 0.004)
     }
 
     #[test]

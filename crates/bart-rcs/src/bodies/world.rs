@@ -4,7 +4,7 @@
 use crate::bodies::behind_array::BehindArray;
 use crate::bodies::models::{BodyMesh, Models};
 use crate::bodies::motion::{Motion, MovingPlane, RigidMotion};
-use crate::bodies::rolling::WheelsApart;
+use crate::bodies::separate_wheels::SeparateWheels;
 use crate::geometry::antenna::Antenna;
 use crate::geometry::bvh::Stack;
 use crate::geometry::facet_geometry::FacetGeometry;
@@ -12,8 +12,8 @@ use crate::geometry::plane::Plane;
 use crate::geometry::sweep::BeamSweep;
 use crate::mesh::mesh_edges::Winding;
 use crate::mesh::wedges::world_edges::{BodyPlacement, WorldEdges};
-use crate::oversight::error::BartError;
-use crate::oversight::memory::MemoryLimit;
+use crate::run_control::error::BartError;
+use crate::run_control::memory::MemoryLimit;
 use crate::surface::bend::Bend;
 use crate::surface::skin::Skin;
 use crate::surface::skin_triangles::SkinTriangles;
@@ -54,7 +54,7 @@ impl World {
     /// This builds the hierarchies of all meshes; for many frames a [`crate::Tracer`] builds them only once.
     pub fn at(header: &SceneHeader, frame: &SceneFrame, seconds_into_frame: f64) -> Result<Self, BartError> {
         let models = Models::build(header)?;
-        let apart = WheelsApart::of(&models, header, frame);
+        let apart = SeparateWheels::of(&models, header, frame);
         Self::posed(&models, &apart.view, &apart.frame, seconds_into_frame)
     }
 
@@ -80,7 +80,7 @@ impl World {
             if let Some(model) = models.of(target)? {
                 let body = Body::posed(index, model, pose, seconds_into_frame, &target.id)?;
                 let body = Body { vehicle, ..body };
-                if body.is_heard(header) {
+                if body.has_gain(header) {
                     bodies.push(body);
                 }
             }
@@ -152,7 +152,7 @@ impl World {
     }
 
     /// Whether paths over several bodies are left out.
-    pub(crate) fn leaves_bodies_apart(&self) -> bool {
+    pub(crate) fn omits_inter_body_paths(&self) -> bool {
         let is_other = |body: &Body| body.vehicle != self.bodies[0].vehicle;
         self.between_bodies == BetweenBodies::LeftOut && self.bodies.iter().any(is_other)
     }
@@ -210,7 +210,7 @@ impl World {
     }
 
     /// Whether waves are transmitted through a facet.
-    pub(crate) fn is_passed(&self, facet: u32) -> bool {
+    pub(crate) fn is_transparent(&self, facet: u32) -> bool {
         !self.sheets.is_empty() && self.sheets.binary_search(&facet).is_ok()
     }
 
@@ -231,7 +231,7 @@ impl World {
     }
 
     /// Whether the reflection of some body depends on frequency.
-    pub(crate) fn knows_frequency(&self) -> bool {
+    pub(crate) fn is_dispersive(&self) -> bool {
         !self.is_conductor && self.bodies.iter().any(|body| body.mesh.has_layers())
     }
 
@@ -348,12 +348,12 @@ impl World {
         /// Distance negligible for any wave, in wavelengths: twice that path is a phase of 0.013.
         const UNTOLD_WAVELENGTHS: f64 = 1e-3;
         self.edges.get_or_init(|| {
-            let untold_m = UNTOLD_WAVELENGTHS * std::f64::consts::TAU / wavenumber_per_m;
+            let negligible_m = UNTOLD_WAVELENGTHS * std::f64::consts::TAU / wavenumber_per_m;
             let mut all = WorldEdges::for_facets(self.facets.len());
             for body in &self.bodies {
                 let place =
                     BodyPlacement { world_from_body: body.world_from_body, position_m: body.motion.origin_m };
-                all.add(body.mesh.edges(untold_m), &place, body.first_facet, 1.0 / wavenumber_per_m);
+                all.add(body.mesh.edges(negligible_m), &place, body.first_facet, 1.0 / wavenumber_per_m);
             }
             all
         })
@@ -532,7 +532,7 @@ impl Body {
     }
 
     /// Whether antennas have gain towards any part of it, or of its image below the road, during a frame.
-    fn is_heard(&self, header: &SceneHeader) -> bool {
+    fn has_gain(&self, header: &SceneHeader) -> bool {
         let speed_mps = self.fastest_mps()
             + self.motion.of_origin.acceleration_mps2.length() * header.radar.frame_duration_s();
         let Some(behind) = BehindArray::of(&header.radar, speed_mps) else { return true };

@@ -2,8 +2,8 @@
 //! others, is within the requested accuracy.
 
 use crate::detail::detail_cost::{centres_s, echo_s, merging_s};
-use crate::detail::looks::{Looks, difference, power};
 use crate::detail::merged_paths::merged;
+use crate::detail::sampled_chirps::{SampledChirps, difference, power};
 use crate::detail::scattering_centres::centres;
 use crate::detail::statistical_points::PointModel;
 use artifact::paths::{Path, PathsFrame, TargetDetail, TraceStatistics};
@@ -21,9 +21,9 @@ use num_complex::Complex64;
 /// targets are unchanged. `error.detail` is measured by comparing reduced paths with all of them, at pairs of
 /// elements, moments and frequencies other than those used in making them. `trace.detail` reports each
 /// target's level.
-pub fn reduced(header: &SceneHeader, frame: PathsFrame) -> PathsFrame {
+pub fn reduce_detail(header: &SceneHeader, frame: PathsFrame) -> PathsFrame {
     let asked = header.fidelity.detail;
-    let left = left_by_others(header, &frame.error);
+    let left = remaining_error(header, &frame.error);
     let allowed = match asked {
         Detail::Paths => return frame,
         Detail::Auto => left,
@@ -33,9 +33,9 @@ pub fn reduced(header: &SceneHeader, frame: PathsFrame) -> PathsFrame {
     };
     let of_target = |target: u32| {
         let paths: Vec<Path> = frame.paths.iter().filter(|path| path.target == target).copied().collect();
-        Choice::new(&header.radar, paths, allowed).made(asked, header.seed, target)
+        LevelChoice::new(&header.radar, paths, allowed).reduce(asked, header.seed, target)
     };
-    let targets: Vec<Made> = (0..header.targets.len() as u32).map(of_target).collect();
+    let targets: Vec<ReducedPaths> = (0..header.targets.len() as u32).map(of_target).collect();
     with(targets, frame)
 }
 
@@ -43,7 +43,7 @@ pub fn reduced(header: &SceneHeader, frame: PathsFrame) -> PathsFrame {
 const LEAST_SHARE: f64 = 0.3;
 
 /// Error that the other errors of a frame leave of the requested accuracy, as an amplitude.
-fn left_by_others(header: &SceneHeader, error: &ErrorBudget) -> f64 {
+fn remaining_error(header: &SceneHeader, error: &ErrorBudget) -> f64 {
     let asked = header.fidelity.accuracy.amplitude();
     let others = error.total().unwrap_or(0.0);
     if others < asked { (asked.powi(2) - others.powi(2)).sqrt() } else { BEYOND_SHARE * others }
@@ -52,8 +52,8 @@ fn left_by_others(header: &SceneHeader, error: &ErrorBudget) -> f64 {
 /// Share of the other errors allotted to a level if they already exceed the accuracy: √(1 + 0.2²) is 1.02.
 const BEYOND_SHARE: f64 = 0.2;
 
-fn with(targets: Vec<Made>, frame: PathsFrame) -> PathsFrame {
-    let of = |target: &Made| TargetDetail {
+fn with(targets: Vec<ReducedPaths>, frame: PathsFrame) -> PathsFrame {
+    let of = |target: &ReducedPaths| TargetDetail {
         level: target.level,
         traced: target.traced as u64,
         kept: target.paths.len() as u64,
@@ -73,7 +73,7 @@ fn with(targets: Vec<Made>, frame: PathsFrame) -> PathsFrame {
 }
 
 /// A target's paths at a level of detail.
-struct Made {
+struct ReducedPaths {
     level: Detail,
     traced: usize,
     paths: Vec<Path>,
@@ -89,11 +89,11 @@ struct MissedPower {
 }
 
 /// Margin of a measured error. The ratio of two mean powers of n complex Gaussian samples follows the F
-/// distribution with (2n, 2n) degrees of freedom. Looks are spread over the whole frame: of their 192 samples
-/// about 32 are independent if a vehicle fills few cells of range and angle, and 95 of 100 ratios stay below
-/// F(0.95; 64, 64) = 1.51, as an amplitude 1.23.
+/// distribution with (2n, 2n) degrees of freedom. Chirps are spread over the whole frame: of their 192
+/// samples about 32 are independent if a vehicle fills few cells of range and angle, and 95 of 100 ratios
+/// stay below F(0.95; 64, 64) = 1.51, as an amplitude 1.23.
 const MARGIN: f64 = 1.23;
-const LOOKS: usize = 12;
+const CHIRPS: usize = 12;
 const INSTANTS: usize = 16;
 
 impl MissedPower {
@@ -104,10 +104,10 @@ impl MissedPower {
 }
 
 /// Paths of one target, and the error allowed for a level.
-struct Choice<'a> {
+struct LevelChoice<'a> {
     radar: &'a Radar,
     paths: Vec<Path>,
-    looks: Looks<'a>,
+    chirps: SampledChirps<'a>,
     allowed: f64,
 }
 
@@ -122,12 +122,12 @@ struct LevelWithError {
 /// fast as its setting.
 const AIM: f64 = 0.7;
 
-impl<'a> Choice<'a> {
+impl<'a> LevelChoice<'a> {
     fn new(radar: &'a Radar, paths: Vec<Path>, allowed: f64) -> Self {
-        Self { radar, paths, looks: Looks::new(radar, LOOKS, INSTANTS, 0.0), allowed }
+        Self { radar, paths, chirps: SampledChirps::new(radar, CHIRPS, INSTANTS, 0.0), allowed }
     }
 
-    fn made(self, asked: Detail, seed: u64, target: u32) -> Made {
+    fn reduce(self, asked: Detail, seed: u64, target: u32) -> ReducedPaths {
         let is_exact = self.paths.iter().all(|path| path.order == 0);
         let found = match asked {
             _ if is_exact => None,
@@ -140,9 +140,9 @@ impl<'a> Choice<'a> {
         let traced = self.paths.len();
         match found {
             Some(LevelWithError { level, paths, measured }) => {
-                Made { level, traced, paths, measured: Some(measured) }
+                ReducedPaths { level, traced, paths, measured: Some(measured) }
             }
-            None => Made { level: Detail::Paths, traced, paths: self.paths, measured: None },
+            None => ReducedPaths { level: Detail::Paths, traced, paths: self.paths, measured: None },
         }
     }
 
@@ -162,13 +162,13 @@ impl<'a> Choice<'a> {
         fitted.or_else(|| is_merging_worth_it.then(|| self.merged(&field)).flatten().filter(saved))
     }
 
-    /// Field of all paths at the looks.
+    /// Field of all paths at the sampled chirps.
     fn field(&self) -> Vec<Complex64> {
-        self.looks.field(&self.paths)
+        self.chirps.field(&self.paths)
     }
 
-    fn found(&self, level: Detail, paths: Vec<Path>, field: &[Complex64]) -> LevelWithError {
-        let missed = power(&difference(field, &self.looks.field(&paths)));
+    fn measure(&self, level: Detail, paths: Vec<Path>, field: &[Complex64]) -> LevelWithError {
+        let missed = power(&difference(field, &self.chirps.field(&paths)));
         LevelWithError { level, paths, measured: MissedPower { missed, power: power(field) } }
     }
 
@@ -198,7 +198,7 @@ impl<'a> Choice<'a> {
         // the spread.
         self.first_within((4.0 * self.allowed).min(1.0), ATTEMPTS, &|spread_rad| {
             let paths = merged(self.radar, &self.paths, spread_rad);
-            (paths.len() < self.paths.len()).then(|| self.found(Detail::Merged, paths, field))
+            (paths.len() < self.paths.len()).then(|| self.measure(Detail::Merged, paths, field))
         })
     }
 
@@ -210,18 +210,18 @@ impl<'a> Choice<'a> {
         self.first_within(first, ATTEMPTS, &|left| {
             let spread_rad = (left / first).sqrt() * finest_rad;
             let paths = centres(self.radar, &self.paths, spread_rad, left * left);
-            (paths.len() < self.paths.len()).then(|| self.found(Detail::Centres, paths, field))
+            (paths.len() < self.paths.len()).then(|| self.measure(Detail::Centres, paths, field))
         })
     }
 
     fn statistical(&self, field: &[Complex64], seed: u64, target: u32) -> Option<LevelWithError> {
-        let points = PointModel::of(self.radar, &self.paths, &self.looks)?.drawn(
+        let points = PointModel::of(self.radar, &self.paths, &self.chirps)?.draw(
             self.radar,
-            &self.looks,
+            &self.chirps,
             seed,
             target,
         );
-        Some(self.found(Detail::Statistical, points, field))
+        Some(self.measure(Detail::Statistical, points, field))
     }
 }
 
@@ -273,14 +273,14 @@ mod tests {
         (0..count).map(path).collect()
     }
 
-    /// Relative error at looks not used for making or measuring any level.
+    /// Relative error at chirps not used for making or measuring any level.
     fn error_elsewhere(radar: &Radar, paths: &[Path], all: &[Path]) -> f64 {
-        let looks = Looks::new(radar, 40, 29, 0.271_828);
-        let field = looks.field(all);
-        (power(&difference(&field, &looks.field(paths))) / power(&field)).sqrt()
+        let chirps = SampledChirps::new(radar, 40, 29, 0.271_828);
+        let field = chirps.field(all);
+        (power(&difference(&field, &chirps.field(paths))) / power(&field)).sqrt()
     }
 
-    type MakeLevel = fn(&Choice<'_>, &[Complex64]) -> Option<LevelWithError>;
+    type MakeLevel = fn(&LevelChoice<'_>, &[Complex64]) -> Option<LevelWithError>;
 
     #[test]
     fn merged_paths_and_centres_err_by_no_more_than_is_told_and_allowed() {
@@ -290,7 +290,8 @@ mod tests {
         for (name, level) in levels {
             let mut last = 0;
             for allowed_db in [-10.0, -20.0, -30.0] {
-                let choice = Choice::new(&radar, all.clone(), artifact::units::amplitude_from_db(allowed_db));
+                let choice =
+                    LevelChoice::new(&radar, all.clone(), artifact::units::amplitude_from_db(allowed_db));
                 let found = level(&choice, &choice.field()).unwrap();
                 let (told, error) = (found.measured.error(), error_elsewhere(&radar, &found.paths, &all));
                 let [told_db, error_db] = [told, error].map(artifact::units::db_from_amplitude);
@@ -311,7 +312,7 @@ mod tests {
     #[test]
     fn centres_are_five_times_fewer_than_merged_paths() {
         let (radar, all) = (radar(), body(2000));
-        let choice = Choice::new(&radar, all, 0.1);
+        let choice = LevelChoice::new(&radar, all, 0.1);
         let field = choice.field();
         let [merged, centres] =
             [choice.merged(&field), choice.centres(&field)].map(|found| found.unwrap().paths.len());
@@ -344,16 +345,16 @@ mod tests {
     #[test]
     fn points_have_the_body_s_mean_power_and_follow_the_seed() {
         let (radar, all) = (radar(), body(1000));
-        let choice = Choice::new(&radar, all.clone(), 1.0);
+        let choice = LevelChoice::new(&radar, all.clone(), 1.0);
         let field = choice.field();
-        let looks = Looks::new(&radar, 40, 29, 0.271_828);
-        let exact = power(&looks.field(&all));
+        let chirps = SampledChirps::new(&radar, 40, 29, 0.271_828);
+        let exact = power(&chirps.field(&all));
         let draw = |seed: u64| choice.statistical(&field, seed, 0).unwrap().paths;
         assert_eq!(draw(1), draw(1));
         assert_ne!(draw(1), draw(2));
-        // Over 100 draws; each field's power over the looks has at most its own mean as spread, their mean a
-        // tenth of it: three times that.
-        let mean = (0..100).map(|seed| power(&looks.field(&draw(seed)))).sum::<f64>() / 100.0;
+        // Over 100 draws; each field's power over the sampled chirps has at most its own mean as spread,
+        // their mean a tenth of it: three times that.
+        let mean = (0..100).map(|seed| power(&chirps.field(&draw(seed)))).sum::<f64>() / 100.0;
         assert!((mean / exact - 1.0).abs() < 0.3, "{}", mean / exact);
         let error =
             (0..100).map(|seed| error_elsewhere(&radar, &draw(seed), &all).powi(2)).sum::<f64>() / 100.0;
@@ -364,11 +365,11 @@ mod tests {
     #[test]
     fn nothing_is_reduced_that_few_paths_or_no_room_make_not_worth_it() {
         let radar = radar();
-        assert!(Choice::new(&radar, body(3), 0.1).cheapest().is_none());
-        assert!(Choice::new(&radar, body(4000), 0.0).cheapest().is_none());
-        let found = Choice::new(&radar, body(800), 0.1).cheapest().unwrap();
+        assert!(LevelChoice::new(&radar, body(3), 0.1).cheapest().is_none());
+        assert!(LevelChoice::new(&radar, body(4000), 0.0).cheapest().is_none());
+        let found = LevelChoice::new(&radar, body(800), 0.1).cheapest().unwrap();
         assert!(echo_s(&radar, found.paths.len()) < echo_s(&radar, 800));
         // Fitting 20,000 paths takes longer than their echo on twelve channels.
-        assert!(Choice::new(&radar, body(20_000), 0.1).cheapest().is_none());
+        assert!(LevelChoice::new(&radar, body(20_000), 0.1).cheapest().is_none());
     }
 }

@@ -1,6 +1,6 @@
 //! Merging of paths whose phases stay together over band, elements and frame.
 
-use crate::detail::looks::{Look, strength};
+use crate::detail::sampled_chirps::{SampledChirp, strength};
 use crate::frame::path_plan::SampledBand;
 use crate::frame::path_sum::moved_to;
 use crate::joins::scatterer::{scaled, sum};
@@ -14,7 +14,7 @@ use std::f64::consts::{PI, TAU};
 
 /// Phase rotation of a path, the criterion for merging.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct PathTurns {
+pub(crate) struct PhaseRotations {
     /// Length L₁ + L₂ at the frame's middle from the radar's position, m.
     pub(crate) length_m: f64,
     /// Cycles over the frame, over the transmit row [right, up] and over the receive row.
@@ -24,7 +24,7 @@ pub(crate) struct PathTurns {
 /// Extents over which phase rotations are counted.
 pub(crate) struct Extents<'a> {
     radar: &'a Radar,
-    middle: Look,
+    middle: SampledChirp,
     right: DVec3,
     up: DVec3,
     /// Extents of the rows of transmit and of receive elements, [right, up].
@@ -40,10 +40,10 @@ impl<'a> Extents<'a> {
             (high - low).max(0.0)
         };
         let rows_m = [&radar.array.tx_m, &radar.array.rx_m].map(|row| [extent(row, right), extent(row, up)]);
-        Self { radar, middle: Look::middle(radar), right, up, rows_m }
+        Self { radar, middle: SampledChirp::middle(radar), right, up, rows_m }
     }
 
-    pub(crate) fn turns(&self, path: &Path) -> PathTurns {
+    pub(crate) fn turns(&self, path: &Path) -> PhaseRotations {
         let legs_m = self.middle.legs_m(path);
         let [tx, rx] = legs_m.map(|leg| leg / leg.length());
         let wavelength_m = self.radar.waveform.wavelength_m();
@@ -57,7 +57,7 @@ impl<'a> Extents<'a> {
             rx.dot(self.right) * of_rx[0],
             rx.dot(self.up) * of_rx[1],
         ];
-        PathTurns {
+        PhaseRotations {
             length_m: legs_m[0].length() + legs_m[1].length(),
             cycles: ways_m.map(|way_m| way_m / wavelength_m),
         }
@@ -93,7 +93,7 @@ pub(crate) fn merged(radar: &Radar, paths: &[Path], spread_rad: f64) -> Vec<Path
 }
 
 /// Sum of a group at the amplitude-weighted mean of its points; named after its strongest member.
-fn one_of(radar: &Radar, band: &SampledBand, middle: &Look, group: &[&Path]) -> Path {
+fn one_of(radar: &Radar, band: &SampledBand, middle: &SampledChirp, group: &[&Path]) -> Path {
     if let [alone] = group {
         return **alone;
     }
@@ -110,10 +110,10 @@ fn one_of(radar: &Radar, band: &SampledBand, middle: &Look, group: &[&Path]) -> 
         apparent_rx_mps: mean(&|path| path.apparent_rx_mps),
         ..*group[strongest]
     };
-    let node = SeenPath::of(radar, middle, &one);
+    let node = CentredPath::of(radar, middle, &one);
     let mut samples = [Amplitude::default(); 3];
     for path in group {
-        let from = SeenPath::of(radar, middle, path);
+        let from = CentredPath::of(radar, middle, path);
         for (total, k) in samples.iter_mut().zip(band.wavenumbers_per_m()) {
             let offset_hz = k * SPEED_OF_LIGHT_MPS / TAU - band.centre_hz;
             let factor = Complex64::from_polar(from.over(&node), -k * (from.length_m - node.length_m));
@@ -134,13 +134,13 @@ fn weights(radar: &Radar, group: &[&Path]) -> Vec<f64> {
 }
 
 /// A path seen from the centre of the radar.
-struct SeenPath {
+struct CentredPath {
     length_m: f64,
     strength: f64,
 }
 
-impl SeenPath {
-    fn of(radar: &Radar, middle: &Look, path: &Path) -> Self {
+impl CentredPath {
+    fn of(radar: &Radar, middle: &SampledChirp, path: &Path) -> Self {
         let legs_m = middle.legs_m(path);
         Self { length_m: legs_m[0].length() + legs_m[1].length(), strength: strength(radar, legs_m) }
     }

@@ -5,8 +5,8 @@
 //! Billings, Luo (1989)). Blocks of range are fitted separately, since centres cells apart do not contribute
 //! to the same samples.
 
-use crate::detail::looks::{Looks, power};
-use crate::detail::merged_paths::{Extents, PathTurns, merged};
+use crate::detail::merged_paths::{Extents, PhaseRotations, merged};
+use crate::detail::sampled_chirps::{SampledChirps, power};
 use artifact::Radar;
 use artifact::paths::{Amplitude, Path};
 use artifact::units::SPEED_OF_LIGHT_MPS;
@@ -22,7 +22,7 @@ const LEAST_NEW: f64 = 0.05;
 /// Paths of one target close together in range, and the samples for their fit.
 struct Block<'a> {
     paths: Vec<Path>,
-    looks: Looks<'a>,
+    chirps: SampledChirps<'a>,
 }
 
 /// Centres of a target's paths, with a residual power of at most the share `allowed` at the fitted samples;
@@ -31,16 +31,22 @@ struct Block<'a> {
 /// Only the radar's own polarization is fitted and contained in the centres.
 pub(crate) fn centres(radar: &Radar, paths: &[Path], spread_rad: f64, allowed: f64) -> Vec<Path> {
     let blocks = blocks(radar, paths);
-    let fields: Vec<Vec<Complex64>> = blocks.iter().map(|block| block.looks.field(&block.paths)).collect();
+    let fields: Vec<Vec<Complex64>> = blocks.iter().map(|block| block.chirps.field(&block.paths)).collect();
     let per_sample: Vec<f64> =
-        blocks.iter().zip(&fields).map(|(b, f)| power(f) / b.looks.len() as f64).collect();
+        blocks.iter().zip(&fields).map(|(b, f)| power(f) / b.chirps.len() as f64).collect();
     let allowed_per_sample = allowed * per_sample.iter().sum::<f64>() / blocks.len().max(1) as f64;
     let fitted: Vec<Vec<Path>> = blocks
         .par_iter()
         .zip(&fields)
         .map(|(block, field)| {
             let candidates = merged(radar, &block.paths, spread_rad);
-            pursued(radar, &block.looks, &candidates, field, allowed_per_sample * field.len() as f64)
+            matching_pursuit(
+                radar,
+                &block.chirps,
+                &candidates,
+                field,
+                allowed_per_sample * field.len() as f64,
+            )
         })
         .collect();
     fitted.into_iter().flatten().collect()
@@ -48,20 +54,21 @@ pub(crate) fn centres(radar: &Radar, paths: &[Path], spread_rad: f64, allowed: f
 
 fn blocks<'a>(radar: &'a Radar, paths: &[Path]) -> Vec<Block<'a>> {
     let extents = Extents::of(radar);
-    let mut placed: Vec<(PathTurns, &Path)> = paths.iter().map(|path| (extents.turns(path), path)).collect();
+    let mut placed: Vec<(PhaseRotations, &Path)> =
+        paths.iter().map(|path| (extents.turns(path), path)).collect();
     placed.sort_by(|a, b| a.0.length_m.total_cmp(&b.0.length_m));
     let block_m = BLOCK_CELLS * SPEED_OF_LIGHT_MPS / radar.waveform.bandwidth_hz().abs();
-    let number = |turns: &PathTurns| (turns.length_m / block_m).floor() as i64;
-    let of = |part: &[(PathTurns, &Path)]| Block {
+    let number = |turns: &PhaseRotations| (turns.length_m / block_m).floor() as i64;
+    let of = |part: &[(PhaseRotations, &Path)]| Block {
         paths: part.iter().map(|(_, path)| **path).collect(),
-        looks: looks(radar, part),
+        chirps: chirps(radar, part),
     };
     placed.chunk_by(|a, b| number(&a.0) == number(&b.0)).map(of).collect()
 }
 
-/// Looks and instants for a fit: twice as many as the spread of the paths requires, and some for the ends.
-fn looks<'a>(radar: &'a Radar, paths: &[(PathTurns, &Path)]) -> Looks<'a> {
-    let extent = |of: &dyn Fn(&PathTurns) -> f64| {
+/// Chirps and instants for a fit: twice as many as the spread of the paths requires, and some for the ends.
+fn chirps<'a>(radar: &'a Radar, paths: &[(PhaseRotations, &Path)]) -> SampledChirps<'a> {
+    let extent = |of: &dyn Fn(&PhaseRotations) -> f64| {
         let (low, high) =
             paths.iter().map(|(t, _)| of(t)).fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(x), h.max(x)));
         high - low
@@ -72,18 +79,23 @@ fn looks<'a>(radar: &'a Radar, paths: &[(PathTurns, &Path)]) -> Looks<'a> {
     let places = paths.iter().filter_map(|(_, path)| path.curve.array_span).map(|span| span.places).max();
     let blended = 0.5 * f64::from(moments.unwrap_or(0) + places.unwrap_or(0));
     let across: f64 = (0..5).map(|axis| extent(&|t| t.cycles[axis])).sum::<f64>() + blended;
-    Looks::new(radar, (10.0 + 4.0 * across).min(64.0) as usize, (8.0 + 2.0 * cells).ceil() as usize, 0.5)
+    SampledChirps::new(
+        radar,
+        (10.0 + 4.0 * across).min(64.0) as usize,
+        (8.0 + 2.0 * cells).ceil() as usize,
+        0.5,
+    )
 }
 
 /// Takes candidates one by one, the best first, until the residual is below `allowed` power or none helps.
-fn pursued(
+fn matching_pursuit(
     radar: &Radar,
-    looks: &Looks<'_>,
+    chirps: &SampledChirps<'_>,
     candidates: &[Path],
     field: &[Complex64],
     allowed: f64,
 ) -> Vec<Path> {
-    let mut pursuit = Pursuit::new(looks, candidates, field);
+    let mut pursuit = Pursuit::new(chirps, candidates, field);
     while power(&pursuit.left) > allowed && 2 * pursuit.taken.len() + 2 < field.len() / 2 {
         if !pursuit.take_best() {
             break;
@@ -92,18 +104,23 @@ fn pursued(
     pursuit
         .coefficients()
         .into_iter()
-        .map(|(index, of)| centre(radar, &candidates[index], of, looks))
+        .map(|(index, of)| centre(radar, &candidates[index], of, chirps))
         .collect()
 }
 
-fn centre(radar: &Radar, candidate: &Path, [value, slope]: [Complex64; 2], looks: &Looks<'_>) -> Path {
+fn centre(
+    radar: &Radar,
+    candidate: &Path,
+    [value, slope]: [Complex64; 2],
+    chirps: &SampledChirps<'_>,
+) -> Path {
     let (p, q) = radar.array.polarization.indices();
     let alone = |x: Complex64| {
         let mut amplitude = Amplitude::default();
         amplitude[p][q] = x;
         amplitude
     };
-    Path { amplitude_m: alone(value), slope_m_per_hz: alone(slope / looks.half_band_hz()), ..*candidate }
+    Path { amplitude_m: alone(value), slope_m_per_hz: alone(slope / chirps.half_band_hz()), ..*candidate }
 }
 
 /// An orthonormal direction among the samples, and the candidate's column from which it was made.
@@ -124,8 +141,8 @@ struct Pursuit {
 }
 
 impl Pursuit {
-    fn new(looks: &Looks<'_>, candidates: &[Path], field: &[Complex64]) -> Self {
-        let columns: Vec<_> = candidates.iter().map(|path| looks.columns(path)).collect();
+    fn new(chirps: &SampledChirps<'_>, candidates: &[Path], field: &[Complex64]) -> Self {
+        let columns: Vec<_> = candidates.iter().map(|path| chirps.columns(path)).collect();
         Self {
             new: columns.clone(),
             columns,
@@ -159,7 +176,7 @@ impl Pursuit {
         let Some(value) = self.unit(index, 0) else { return 0.0 };
         let of_value = dot(&value, &self.left);
         let slope = &self.new[index][1];
-        let rest = less(slope, &value, dot(&value, slope));
+        let rest = subtract_scaled(slope, &value, dot(&value, slope));
         let norm = power(&rest);
         let least = LEAST_NEW.powi(2) * power(&self.columns[index][1]);
         let of_slope = if norm > least { dot(&rest, &self.left).norm_sqr() / norm } else { 0.0 };
@@ -175,9 +192,9 @@ impl Pursuit {
 
     fn add_direction(&mut self, direction: Direction) {
         let unit = &direction.unit;
-        self.left = less(&self.left, unit, dot(unit, &self.left));
+        self.left = subtract_scaled(&self.left, unit, dot(unit, &self.left));
         for column in self.new.iter_mut().flatten() {
-            *column = less(column, unit, dot(unit, column));
+            *column = subtract_scaled(column, unit, dot(unit, column));
         }
         self.directions.push(direction);
     }
@@ -191,7 +208,7 @@ impl Pursuit {
         for direction in self.directions.iter().rev() {
             let (unit, (index, which)) = (&direction.unit, direction.column);
             let coefficient = dot(unit, &rest) / dot(unit, column(direction));
-            rest = less(&rest, column(direction), coefficient);
+            rest = subtract_scaled(&rest, column(direction), coefficient);
             if found.last().is_none_or(|(last, _)| *last != index) {
                 found.push((index, [Complex64::ZERO; 2]));
             }
@@ -210,6 +227,6 @@ fn dot(a: &[Complex64], b: &[Complex64]) -> Complex64 {
 }
 
 /// Difference x − share·y.
-fn less(x: &[Complex64], y: &[Complex64], share: Complex64) -> Vec<Complex64> {
+fn subtract_scaled(x: &[Complex64], y: &[Complex64], share: Complex64) -> Vec<Complex64> {
     x.iter().zip(y).map(|(x, y)| x - share * y).collect()
 }

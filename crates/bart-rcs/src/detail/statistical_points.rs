@@ -4,8 +4,8 @@
 //! The mean level and the body's extent in range, angle and velocity are preserved; the field is another
 //! realisation, so that its complex error is that of two independent fields of equal power, +3 dB.
 
-use crate::detail::looks::{Looks, power};
 use crate::detail::merged_paths::merged;
+use crate::detail::sampled_chirps::{SampledChirps, power};
 use artifact::Radar;
 use artifact::paths::{Amplitude, Path};
 use artifact::seed;
@@ -27,13 +27,13 @@ pub(crate) struct PointModel {
     pub(crate) log_level: [f64; 2],
     /// Possible positions of points, with their probabilities.
     places: Vec<Path>,
-    /// Mean power of the whole body at the looks.
+    /// Mean power of the whole body at the sampled chirps.
     power: f64,
 }
 
 impl PointModel {
     /// Model of the paths of one target; `None` if they scatter nothing.
-    pub(crate) fn of(radar: &Radar, paths: &[Path], looks: &Looks<'_>) -> Option<Self> {
+    pub(crate) fn of(radar: &Radar, paths: &[Path], chirps: &SampledChirps<'_>) -> Option<Self> {
         let mut places = merged(radar, paths, CENTRE_RAD);
         places.sort_by(|a, b| level(radar, b).total_cmp(&level(radar, a)));
         let total: f64 = places.iter().map(|path| level(radar, path)).sum();
@@ -48,7 +48,7 @@ impl PointModel {
         let logarithms: Vec<f64> = places.iter().map(|path| level(radar, path).ln()).collect();
         let mean = logarithms.iter().sum::<f64>() / points.max(1) as f64;
         let variance = logarithms.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / points.max(1) as f64;
-        let power = power(&looks.field(paths));
+        let power = power(&chirps.field(paths));
         (points > 0 && power > 0.0).then(|| Self {
             points,
             log_level: [mean, variance.sqrt()],
@@ -61,11 +61,17 @@ impl PointModel {
     /// the body's.
     ///
     /// Levels are log-normal, phases uniform, positions drawn uniformly from the body's own.
-    pub(crate) fn drawn(&self, radar: &Radar, looks: &Looks<'_>, seed: u64, target: u32) -> Vec<Path> {
+    pub(crate) fn draw(
+        &self,
+        radar: &Radar,
+        chirps: &SampledChirps<'_>,
+        seed: u64,
+        target: u32,
+    ) -> Vec<Path> {
         let mut points: Vec<Path> =
             (0..self.points as u64).map(|i| self.point(radar, seed, target, i)).collect();
         // Powers of independent phases add up: the deviation of the drawn levels is corrected for all alike.
-        let drawn: f64 = points.iter().map(|point| power(&looks.field(std::slice::from_ref(point)))).sum();
+        let drawn: f64 = points.iter().map(|point| power(&chirps.field(std::slice::from_ref(point)))).sum();
         let factor = if drawn > 0.0 { (self.power / drawn).sqrt() } else { 0.0 };
         points.iter_mut().flat_map(|point| point.amplitude_m.as_flattened_mut()).for_each(|a| *a *= factor);
         points

@@ -2,15 +2,15 @@
 //! predicts their cost.
 
 use crate::bodies::models::Models;
-use crate::bodies::rolling::WheelsApart;
-use crate::detail::level::reduced;
+use crate::bodies::separate_wheels::SeparateWheels;
+use crate::detail::level::reduce_detail;
 use crate::frame::expected_work::{ExpectedWork, expected_work};
 use crate::frame::left_out::echo_parts::{EchoParts, echo_parts};
-use crate::frame::path::{FrameSurroundings, trace_frame};
+use crate::frame::path::{FrameContext, trace_frame};
 use crate::frame::rcs_frame::rcs_frame;
-use crate::oversight::error::BartError;
-use crate::oversight::memory::MemoryLimit;
-use crate::oversight::progress::Progress;
+use crate::run_control::error::BartError;
+use crate::run_control::memory::MemoryLimit;
+use crate::run_control::progress::Progress;
 use artifact::paths::PathsFrame;
 use artifact::rcs::RcsFrame;
 use artifact::scene::{SceneFrame, SceneHeader};
@@ -45,10 +45,10 @@ impl Tracer {
         &self,
         view: &SceneHeader,
         frame: &SceneFrame,
-        surroundings: &FrameSurroundings<'_>,
+        context: &FrameContext<'_>,
     ) -> Result<PathsFrame, BartError> {
         let view = &view.in_frame(frame.index);
-        Ok(reduced(view, self.all_paths(view, frame, surroundings)?))
+        Ok(reduce_detail(view, self.all_paths(view, frame, context)?))
     }
 
     /// Paths of one frame from the radar's position and back, referred to the frame's first sample, in full
@@ -70,11 +70,11 @@ impl Tracer {
         &self,
         view: &SceneHeader,
         frame: &SceneFrame,
-        surroundings: &FrameSurroundings<'_>,
+        context: &FrameContext<'_>,
     ) -> Result<PathsFrame, BartError> {
         let view = &view.in_frame(frame.index);
-        let apart = WheelsApart::of(&self.models, view, frame);
-        Ok(apart.joined(trace_frame(&self.models, &apart.view, &apart.frame, surroundings)?))
+        let apart = SeparateWheels::of(&self.models, view, frame);
+        Ok(apart.joined(trace_frame(&self.models, &apart.view, &apart.frame, context)?))
     }
 
     /// Far-field tables of one frame, one per target.
@@ -106,7 +106,7 @@ impl Tracer {
     /// Those of [`Self::all_paths`].
     pub fn expected_work(&self, view: &SceneHeader, frame: &SceneFrame) -> Result<ExpectedWork, BartError> {
         let view = &view.in_frame(frame.index);
-        let apart = WheelsApart::of(&self.models, view, frame);
+        let apart = SeparateWheels::of(&self.models, view, frame);
         expected_work(&self.models, &apart.view, &apart.frame)
     }
 
@@ -119,14 +119,14 @@ impl Tracer {
     ///
     /// # Errors
     /// Those of [`Self::all_paths`].
-    pub fn parts(
+    pub fn echo_parts(
         &self,
         view: &SceneHeader,
         frame: &SceneFrame,
         progress: &dyn Progress,
     ) -> Result<Option<EchoParts>, BartError> {
         let view = &view.in_frame(frame.index);
-        let apart = WheelsApart::of(&self.models, view, frame);
+        let apart = SeparateWheels::of(&self.models, view, frame);
         echo_parts(&self.models, &apart.view, &apart.frame, progress)
     }
 }

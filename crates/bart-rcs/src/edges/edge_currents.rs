@@ -116,9 +116,9 @@ mod tests {
     use crate::bodies::world::World;
     use crate::edges::line_integral::add_line_integral;
     use crate::geometry::antenna::Antenna;
+    use crate::integral::leg_surfaces::LegSurfaces;
     use crate::integral::node::Leg;
     use crate::integral::polarization::Mirrors;
-    use crate::integral::steps::Steps;
     use crate::joins::scatterer::EdgeWaves;
     use artifact::scene::Mesh;
     use std::f64::consts::{PI, TAU};
@@ -134,7 +134,7 @@ mod tests {
         let leg = Leg {
             image: Antenna::Direction(r),
             mirrors: Mirrors::NONE,
-            steps: Steps::default(),
+            steps: LegSurfaces::default(),
             zenith_h: DVec3::Y,
         };
         let mut sum = [Complex64::ZERO; 4];

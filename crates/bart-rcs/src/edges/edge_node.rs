@@ -3,7 +3,7 @@
 use crate::edges::line_integral::{Integrand, LinePiece};
 use crate::geometry::antenna::Antenna;
 use crate::integral::node::Leg;
-use crate::joins::scatterer::{EdgeWaves, Way};
+use crate::joins::scatterer::{EdgeWaves, PathLengthRange};
 use crate::mesh::wedges::world_edges::{EdgeGeometry, WorldEdges};
 use artifact::paths::Amplitude;
 use glam::DVec3;
@@ -41,14 +41,14 @@ impl EdgeNode<'_> {
 /// A part of an edge's integrals.
 pub(crate) trait EdgePart {
     /// Length L₁ + L₂ at its centre, less that at the reference point.
-    fn way(&self) -> Way;
+    fn path_length_range(&self) -> PathLengthRange;
     /// Adds √π·S without the phase of the reference point: [vv, vh, hv, hh].
     fn add_to(&self, wavenumbers_per_m: &[f64], sums: &mut [[Complex64; 4]]);
 }
 
 impl<I: Integrand> EdgePart for LinePiece<'_, I> {
-    fn way(&self) -> Way {
-        Way { length_m: self.length_m(), extent_m: self.extent_m() }
+    fn path_length_range(&self) -> PathLengthRange {
+        PathLengthRange { length_m: self.length_m(), extent_m: self.extent_m() }
     }
 
     fn add_to(&self, wavenumbers_per_m: &[f64], sums: &mut [[Complex64; 4]]) {

@@ -4,9 +4,9 @@ use crate::edges::edge_currents::{edge_amplitudes, for_each_part};
 use crate::edges::edge_node::{EdgeNode, EdgePart, amplitude_of};
 use crate::edges::lit_edge::EdgeJoint;
 use crate::integral::node::Estimate;
-use crate::joins::band::{self, Band, Groups, INTERPOLATION_ERROR, Kind};
+use crate::joins::band::{self, Band, ContributionKind, Groups, INTERPOLATION_ERROR};
 use crate::joins::joint::Reverse;
-use crate::joins::scatterer::{Integration, Scatterer, Way, scaled, sum as sum_of, with_reverse};
+use crate::joins::scatterer::{Integration, PathLengthRange, Scatterer, scaled, sum as sum_of, with_reverse};
 use artifact::paths::Amplitude;
 use glam::DVec3;
 use num_complex::Complex64;
@@ -37,7 +37,7 @@ pub(crate) fn over_band<T: Sync>(
     add: impl Fn(&T, &Band<'_>, &mut Groups) + Sync,
 ) -> Vec<Amplitude> {
     let error = INTERPOLATION_ERROR * integration.accuracy;
-    let Some(band) = Band::new(integration.wavenumbers_per_m, error, Kind::Edges) else {
+    let Some(band) = Band::new(integration.wavenumbers_per_m, error, ContributionKind::Edges) else {
         return at_each();
     };
     let of_run = |run: &[T]| {
@@ -62,7 +62,7 @@ fn add_joint(
 ) {
     let node = node(scatterer, joint, joint.span_m, band.highest_per_m());
     let (spread, length_m) = way_from(scatterer, joint, node.middle_m(), origin_m);
-    let whole = WholeWay { spread, length_m, reverse: joint.reverse };
+    let whole = ReferencePath { spread, length_m, reverse: joint.reverse };
     let mut some = Vec::new();
     for_each_part(&node, node.middle_m(), band.highest_per_m(), accuracy, &mut |part, _| {
         whole.add_part(part, band, groups, &mut some);
@@ -70,13 +70,13 @@ fn add_joint(
 }
 
 /// Factor and length of a contribution's reference point: R_tR_r/(L₁L₂) and L₁ + L₂ − R_t − R_r.
-pub(crate) struct WholeWay {
+pub(crate) struct ReferencePath {
     pub(crate) spread: f64,
     pub(crate) length_m: f64,
     pub(crate) reverse: Reverse,
 }
 
-impl WholeWay {
+impl ReferencePath {
     /// Adds a part of the contribution, including its reverse, to its group; `some` is a buffer for its
     /// values, reused from part to part.
     pub(crate) fn add_part(
@@ -86,8 +86,8 @@ impl WholeWay {
         groups: &mut Groups,
         some: &mut Vec<[Complex64; 4]>,
     ) {
-        let way = part.way();
-        let group = band.group(Way { length_m: way.length_m + self.length_m, ..way }, groups);
+        let way = part.path_length_range();
+        let group = band.group(PathLengthRange { length_m: way.length_m + self.length_m, ..way }, groups);
         some.clear();
         some.resize(group.wavenumbers_per_m.len(), [Complex64::ZERO; 4]);
         part.add_to(group.wavenumbers_per_m, some);

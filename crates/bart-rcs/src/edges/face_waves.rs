@@ -14,7 +14,7 @@ use crate::edges::line_integral::{Integrand, for_each_piece};
 use crate::integral::field::length_difference_m;
 use crate::integral::node::Leg;
 use crate::joins::scatterer::EdgeWaves;
-use crate::mesh::wedges::face_end::{FaceEnds, Met};
+use crate::mesh::wedges::face_end::{FaceEnds, FaceExit};
 use crate::mesh::wedges::wedge::Wedge;
 use crate::mesh::wedges::world_edges::{EdgeGeometry, WorldEdges};
 use glam::{DVec2, DVec3};
@@ -53,9 +53,9 @@ pub(crate) fn for_each_part(
     accuracy: f64,
     give: &mut dyn FnMut(&dyn EdgePart, f64),
 ) {
-    let mut following = Following { node, reference_m, highest_per_m, accuracy, give };
+    let mut following = WaveTracing { node, reference_m, highest_per_m, accuracy, give };
     let senses: &[Sense] = if node.has_one_leg() { &[Sense::Both] } else { &[Sense::Forth, Sense::Back] };
-    for first in Crossed::faces_of(node.edges, node.edge, 1.0) {
+    for first in CrossedFace::faces_of(node.edges, node.edge, 1.0) {
         let mut crossed = vec![first];
         for sense in senses {
             following.follow(&mut crossed, *sense, node.span_m);
@@ -64,7 +64,7 @@ pub(crate) fn for_each_part(
 }
 
 /// Waves of an edge being followed.
-struct Following<'a, 'g> {
+struct WaveTracing<'a, 'g> {
     node: &'a EdgeNode<'a>,
     reference_m: DVec3,
     highest_per_m: f64,
@@ -72,10 +72,10 @@ struct Following<'a, 'g> {
     give: &'g mut dyn FnMut(&dyn EdgePart, f64),
 }
 
-impl Following<'_, '_> {
+impl WaveTracing<'_, '_> {
     /// Passes on the ends of the waves over the last face, then those of the waves that they excite.
-    fn follow(&mut self, crossed: &mut Vec<Crossed>, sense: Sense, span_m: [f64; 2]) {
-        for Run { span_m: piece_m, exit } in self.waves(crossed, sense).runs(span_m) {
+    fn follow(&mut self, crossed: &mut Vec<CrossedFace>, sense: Sense, span_m: [f64; 2]) {
+        for ExitSpan { span_m: piece_m, exit } in self.waves(crossed, sense).runs(span_m) {
             exit_by(crossed, Some(exit));
             let waves = self.waves(crossed, sense);
             let accuracy = if crossed.len() > 1 {
@@ -89,7 +89,7 @@ impl Following<'_, '_> {
             });
             let Some((next, loud_m)) = worth_following(&waves, piece_m) else { continue };
             let edges = self.node.edges;
-            let free = Crossed::faces_of(edges, &edges.edges[next as usize], 1.0);
+            let free = CrossedFace::faces_of(edges, &edges.edges[next as usize], 1.0);
             for face in free.into_iter().filter(|face| face.is_free) {
                 crossed.push(face);
                 for span_m in &loud_m {
@@ -101,7 +101,7 @@ impl Following<'_, '_> {
         exit_by(crossed, None);
     }
 
-    fn waves<'c>(&self, crossed: &'c [Crossed], sense: Sense) -> FaceWaves<'c>
+    fn waves<'c>(&self, crossed: &'c [CrossedFace], sense: Sense) -> FaceWaves<'c>
     where
         Self: 'c,
     {
@@ -122,12 +122,12 @@ fn worth_following(waves: &FaceWaves<'_>, span_m: [f64; 2]) -> Option<(u32, Vec<
         return None;
     }
     let edge = waves.wave_from(0.5 * (span_m[0] + span_m[1]))?.met.edge?;
-    let loud_m = waves.loud_spans(span_m);
+    let loud_m = waves.significant_spans(span_m);
     (!loud_m.is_empty()).then_some((edge, loud_m))
 }
 
 /// A face crossed by a wave, from one of its edges.
-struct Crossed {
+struct CrossedFace {
     edge: EdgeGeometry,
     face: usize,
     ends: FaceEnds,
@@ -141,13 +141,13 @@ struct Crossed {
 
 /// A part of the first edge from which all rays over the last face meet the same end.
 #[derive(Debug, Clone, Copy)]
-struct Run {
+struct ExitSpan {
     span_m: [f64; 2],
     exit: usize,
 }
 
 /// Sets the end met by all rays over the last crossed face.
-fn exit_by(crossed: &mut [Crossed], exit: Option<usize>) {
+fn exit_by(crossed: &mut [CrossedFace], exit: Option<usize>) {
     if let Some(last) = crossed.last_mut() {
         last.exit = exit;
     }
@@ -178,7 +178,7 @@ fn change_between([mut from_m, mut to_m]: [f64; 2], holds: impl Fn(f64) -> bool)
     0.5 * (from_m + to_m)
 }
 
-impl Crossed {
+impl CrossedFace {
     /// Faces of an edge, on which waves have a weight. Both sides of a sheet carry the same fringe current:
     /// one represents both if it ends at edges of sheets only.
     fn faces_of(edges: &WorldEdges, edge: &EdgeGeometry, share: f64) -> Vec<Self> {
@@ -210,7 +210,7 @@ impl Crossed {
     }
 
     /// Intersection of a wave from a position on the edge with the end of the face.
-    fn met_from(&self, at_m: f64, view: &FaceView) -> Option<Met> {
+    fn met_from(&self, at_m: f64, view: &FaceView) -> Option<FaceExit> {
         let direction = self.direction(view);
         match self.exit {
             Some(end) => Some(self.ends.on_line(end, at_m, direction)),
@@ -224,7 +224,7 @@ impl Crossed {
 struct FaceWaves<'a> {
     node: &'a EdgeNode<'a>,
     reference_m: DVec3,
-    crossed: &'a [Crossed],
+    crossed: &'a [CrossedFace],
     sense: Sense,
     highest_per_m: f64,
 }
@@ -235,14 +235,14 @@ struct Wave {
     /// Face as seen by the wave's edge.
     view: FaceView,
     /// End of the face, and where it is met.
-    met: Met,
+    met: FaceExit,
     end_m: DVec3,
     /// Path length over all faces.
     way_m: f64,
     current: EndCurrent,
     /// Factor of the current at the last edge for each transmitted field: one over a first face.
     arriving: [f64; 2],
-    before: FallenOff,
+    before: WaveDecay,
 }
 
 /// End of a wave at an edge, per unit of its current.
@@ -260,13 +260,13 @@ struct Arrival {
 
 /// Decay of the waves over the faces before the last, to be evaluated at a wavenumber.
 #[derive(Debug, Clone, Copy, Default)]
-struct FallenOff {
+struct WaveDecay {
     /// Roots of κd(1 + cosφ′)/k by face.
     roots: [f64; FACES],
     count: usize,
 }
 
-impl FallenOff {
+impl WaveDecay {
     fn then(mut self, root: f64) -> Self {
         self.roots[self.count] = root;
         self.count += 1;
@@ -281,7 +281,7 @@ impl FallenOff {
 
 /// Ends of the waves from one point of the first edge.
 #[derive(Clone)]
-struct Ended {
+struct WaveEnd {
     length_m: f64,
     spread: f64,
     wave: Wave,
@@ -308,7 +308,7 @@ impl FaceWaves<'_> {
     }
 
     /// Wave excited by the incident field.
-    fn first_wave(&self, crossed: &Crossed, at_m: f64) -> Option<Wave> {
+    fn first_wave(&self, crossed: &CrossedFace, at_m: f64) -> Option<Wave> {
         let [from, to] = self.legs();
         let x_m = crossed.edge.point_m(at_m);
         let [travel, back] = [from, to].map(|leg| leg.image.travel_direction_at(x_m));
@@ -323,7 +323,7 @@ impl FaceWaves<'_> {
             way_m: met.way_m,
             current: EndCurrent::new(&view, travel, &sent, &received),
             arriving: [crossed.share; 2],
-            before: FallenOff::default(),
+            before: WaveDecay::default(),
         })
     }
 
@@ -341,7 +341,7 @@ impl FaceWaves<'_> {
     }
 
     /// Wave excited by an arriving one, over a face of the edge at which that ends.
-    fn next_wave(&self, wave: &Wave, crossed: &Crossed) -> Option<Wave> {
+    fn next_wave(&self, wave: &Wave, crossed: &CrossedFace) -> Option<Wave> {
         let Arrival { faces, travel, field, received, width, .. } =
             self.arrival(wave, &crossed.edge.wedge)?;
         let view = faces[crossed.face];
@@ -363,7 +363,7 @@ impl FaceWaves<'_> {
     }
 
     /// Parts of a span whose waves excite others, determined at a few positions.
-    fn loud_spans(&self, [from_m, to_m]: [f64; 2]) -> Vec<[f64; 2]> {
+    fn significant_spans(&self, [from_m, to_m]: [f64; 2]) -> Vec<[f64; 2]> {
         let is_loud = |at_m: f64| self.wave_from(at_m).is_some_and(|wave| self.share_of_next(&wave) > 0.0);
         let inset_m = INSET * (to_m - from_m);
         let place = |i: u32| from_m + inset_m + (to_m - from_m - 2.0 * inset_m) * f64::from(i) / LOUD_LOOKS;
@@ -397,7 +397,7 @@ impl FaceWaves<'_> {
 
     /// Divides a span where rays along the last face change from one end to the next; parts that meet none
     /// are left out.
-    fn runs(&self, span_m: [f64; 2]) -> Vec<Run> {
+    fn runs(&self, span_m: [f64; 2]) -> Vec<ExitSpan> {
         let inset_m = INSET * (span_m[1] - span_m[0]);
         let mut cuts = vec![span_m[0]];
         cuts.extend(self.changes_m(span_m));
@@ -408,7 +408,7 @@ impl FaceWaves<'_> {
 
     /// Runs of a part of the span: divided again if, for near antennas, rays do not change at the expected
     /// position.
-    fn runs_between(&self, from_m: f64, to_m: f64, inset_m: f64) -> Vec<Run> {
+    fn runs_between(&self, from_m: f64, to_m: f64, inset_m: f64) -> Vec<ExitSpan> {
         let looks =
             RUN_LOOKS.map(|share| (from_m + share * (to_m - from_m)).clamp(from_m + inset_m, to_m - inset_m));
         let exits = looks.map(|at_m| self.exit_from(at_m));
@@ -428,7 +428,7 @@ impl FaceWaves<'_> {
             }
         }
         runs.push(([start_m, to_m], exits[RUN_LOOKS.len() - 1]));
-        runs.into_iter().filter_map(|(span_m, exit)| Some(Run { span_m, exit: exit? })).collect()
+        runs.into_iter().filter_map(|(span_m, exit)| Some(ExitSpan { span_m, exit: exit? })).collect()
     }
 
     fn exit_from(&self, at_m: f64) -> Option<usize> {
@@ -478,9 +478,9 @@ impl Wave {
 }
 
 impl Integrand for FaceWaves<'_> {
-    type Sample = Option<Ended>;
+    type Sample = Option<WaveEnd>;
 
-    fn sample(&self, at_m: f64) -> Option<Ended> {
+    fn sample(&self, at_m: f64) -> Option<WaveEnd> {
         let wave = self.wave_from(at_m)?;
         let [from, to] = self.legs().map(|leg| leg.image);
         let (x_m, reference_m) = (self.node.edge.point_m(at_m), self.reference_m);
@@ -489,15 +489,15 @@ impl Integrand for FaceWaves<'_> {
             + length_difference_m(to, wave.end_m, reference_m);
         let spread = spread(from, x_m, reference_m) * spread(to, wave.end_m, reference_m);
         let next = self.next_edge(&wave);
-        Some(Ended { length_m, spread, wave, next })
+        Some(WaveEnd { length_m, spread, wave, next })
     }
 
-    fn length_m(sample: &Option<Ended>) -> f64 {
+    fn length_m(sample: &Option<WaveEnd>) -> f64 {
         sample.as_ref().map_or(0.0, |ended| ended.length_m)
     }
 
-    fn weights(&self, sample: &Option<Ended>, wavenumber_per_m: f64) -> [Complex64; 4] {
-        let Some(Ended { wave, spread, next, .. }) = sample else { return [Complex64::ZERO; 4] };
+    fn weights(&self, sample: &Option<WaveEnd>, wavenumber_per_m: f64) -> [Complex64; 4] {
+        let Some(WaveEnd { wave, spread, next, .. }) = sample else { return [Complex64::ZERO; 4] };
         let (beyond, falloff) = wave.current.beyond(wave.met.way_m, wavenumber_per_m);
         let before = 0.5 * spread * wave.before.at(wavenumber_per_m);
         let of = |p: usize, q: usize| {

@@ -3,7 +3,7 @@
 //! An edge is lit where a lit polygon of one of its facets reaches it: exactly the lit part of the facets,
 //! with the same shadows, directly or via mirrors. Only edges whose facets are edge-on to the antenna to
 //! within rounding have no polygon. Among edges on one line (rims of a double skin,
-//! [`crate::mesh::wedges::side_by_side`]) only the nearest to the antenna is lit, point by point.
+//! [`crate::mesh::wedges::coincident_rims`]) only the nearest to the antenna is lit, point by point.
 
 use crate::beams::beam::{Beam, BeamTree};
 use crate::beams::image_tree::goes_by_road;
@@ -144,7 +144,7 @@ fn without(span_m: [f64; 2], mut parts_m: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
 }
 
 fn mirrors_of(world: &World, tree: &BeamTree, beam: &Beam) -> MirrorPatches {
-    let before = tree.way_back(beam).skip(1).map(|mirror| world.patch(mirror.facet));
+    let before = tree.mirror_chain(beam).skip(1).map(|mirror| world.patch(mirror.facet));
     let mut mirrors = [NO_MIRROR; MAX_ORDER];
     mirrors.iter_mut().zip(before).for_each(|(place, patch)| *place = patch);
     mirrors

@@ -12,7 +12,7 @@
 //! in place of |g|², h = 1/L₁ + 1/L₂, keeps it finite at a stationary point, which belongs to the polygon.
 
 use crate::edges::edge_node::{EdgePart, PER_ROOT_PI, amplitude_of};
-use crate::edges::edge_scattering::{EDGE_JOINTS_PER_RUN, WholeWay, over_band};
+use crate::edges::edge_scattering::{EDGE_JOINTS_PER_RUN, ReferencePath, over_band};
 use crate::edges::line_integral::{Integrand, LinePiece, for_each_piece};
 use crate::edges::mirror_window::{FlatPatch, OutlineSide, Window};
 use crate::geometry::antenna::Antenna;
@@ -20,8 +20,8 @@ use crate::integral::field::Field;
 use crate::integral::node::{Bracket, Estimate, Leg, Node};
 use crate::joins::band;
 use crate::joins::joint::Reverse;
-use crate::joins::parting::Parting;
-use crate::joins::scatterer::{Integration, Scatterer, Way, scaled, with_reverse};
+use crate::joins::scatterer::{Integration, PathLengthRange, Scatterer, scaled, with_reverse};
+use crate::joins::specular_separation::SpecularSeparation;
 use artifact::paths::Amplitude;
 use glam::{DVec2, DVec3};
 use num_complex::Complex64;
@@ -38,7 +38,7 @@ pub(crate) struct Truncation {
     /// Other facet, with the antenna that it mirrors.
     pub(crate) mirror: Arc<FlatPatch>,
     pub(crate) mirrored: Antenna,
-    pub(crate) parting: Parting,
+    pub(crate) separation: SpecularSeparation,
 }
 
 impl Truncation {
@@ -90,7 +90,7 @@ fn for_each_end_part(
     let field = Field::new(&node, middle_m, accuracy);
     let outward = field.frame.tangential(truncation.side.outward);
     let end = PatchEdge { field: &field, truncation, outward };
-    let turning_m = truncation.parting.turning_m();
+    let turning_m = truncation.separation.turning_m();
     for_each_piece(&end, span_m, highest_per_m, accuracy.max(1e-12), &mut |piece, error| {
         give(&EndPart { piece, turning_m }, error)
     });
@@ -104,11 +104,11 @@ struct EndPart<'a, 'b, 'c> {
 }
 
 impl EdgePart for EndPart<'_, '_, '_> {
-    fn way(&self) -> Way {
+    fn path_length_range(&self) -> PathLengthRange {
         let detours_m = self.piece.samples().each_ref().map(|sample| sample.window.detour_m());
         let detour_m = detours_m.into_iter().fold(0.0, f64::max);
         let extent_m = self.piece.extent_m() + detour_m + self.turning_m;
-        Way { length_m: self.piece.length_m(), extent_m }
+        PathLengthRange { length_m: self.piece.length_m(), extent_m }
     }
 
     fn add_to(&self, wavenumbers_per_m: &[f64], sums: &mut [[Complex64; 4]]) {
@@ -128,7 +128,7 @@ pub(crate) fn sum_of_truncations(
     over_band(truncations, integration, at_each, |truncation, band, groups| {
         let span_m = [0.0, truncation.length_m()];
         let (spread, length_m) = way_from(scatterer, truncation, origin_m);
-        let whole = WholeWay { spread, length_m, reverse: truncation.reverse };
+        let whole = ReferencePath { spread, length_m, reverse: truncation.reverse };
         let (highest, accuracy) = (band.highest_per_m(), integration.accuracy);
         let mut some = Vec::new();
         for_each_end_part(scatterer, truncation, span_m, highest, accuracy, &mut |part, _| {
@@ -234,7 +234,7 @@ impl Integrand for PatchEdge<'_> {
         if slope < f64::MIN_POSITIVE {
             return [Complex64::ZERO; 4];
         }
-        let share = self.truncation.parting.of_ends(wavenumber_per_m) / slope;
+        let share = self.truncation.separation.of_ends(wavenumber_per_m) / slope;
         let field = sample.window.field(wavenumber_per_m) * share;
         sample.weights.map(|weight| weight * field)
     }

@@ -24,7 +24,7 @@ pub(crate) fn power_over_frame(paths: &[Path], plan: &Plan<'_>) -> f64 {
     let pairs = plan.pairs_of_array_m();
     let moments = [0.0, plan.middle_s, 2.0 * plan.middle_s];
     let views = pairs.iter().flat_map(|ends_m| moments.map(|seconds| plan.view_from(*ends_m, seconds)));
-    let powers = views.map(|view| mean(&element_over_band(paths, &view, plan.hearing(), &frequencies)));
+    let powers = views.map(|view| mean(&element_over_band(paths, &view, plan.reception(), &frequencies)));
     powers.sum::<f64>() / (pairs.len() * moments.len()) as f64
 }
 

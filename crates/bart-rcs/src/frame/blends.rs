@@ -12,6 +12,6 @@
 //! of the frame and of the array: the neglected part is a product of both changes.
 
 pub(crate) mod axis; // time, or the array's row
-pub(crate) mod changing_ways; // sequences of bodies that differ at other nodes
+pub(crate) mod changing_sequences; // sequences of bodies that differ at other nodes
 pub(crate) mod nodes; // paths traced at the nodes of one axis
 pub(crate) mod blending; // table of as few nodes as meet the accuracy

@@ -15,9 +15,9 @@ use crate::geometry::plane_frame::{PlaneFrame, area_m2};
 use crate::integral::field::Field;
 use crate::integral::physical_optics::for_each_tile;
 use crate::joins::joint::Trees;
-use crate::joins::scatterer::{Part, Scatterer, ZenithH, bracket_of};
-use crate::oversight::error::BartError;
-use crate::oversight::progress::Unheard;
+use crate::joins::scatterer::{PolygonPart, Scatterer, ZenithH, bracket_of};
+use crate::run_control::error::BartError;
+use crate::run_control::progress::NoProgress;
 use artifact::scene::{SceneFrame, SceneHeader};
 use glam::{DVec2, DVec3};
 
@@ -75,7 +75,7 @@ pub(crate) fn expected_work(
     header: &SceneHeader,
     frame: &SceneFrame,
 ) -> Result<ExpectedWork, BartError> {
-    let plan = Plan::of(header, frame, &Unheard);
+    let plan = Plan::of(header, frame, &NoProgress);
     let world = World::posed(models, header, frame, plan.middle_s)?;
     let trace = TraceSettings { max_order: plan.trace.max_order.min(header.fidelity.bounces), ..plan.trace };
     let sampled = SampledTree::trace(&world, Antenna::Point(plan.position_m), &trace, SAMPLE)?;
@@ -113,7 +113,7 @@ impl ExpectedWork {
         for (index, each) in sample(&sizes, SAMPLE) {
             let (beam, each) = (of_order[index], each * sampled.stands_for[of_order[index]]);
             let polygon = SampledPolygon::new(scatterer, beam as u32, plan);
-            let accuracy = first_accuracy(plan.asked());
+            let accuracy = first_accuracy(plan.allowed_error());
             let tiles = polygon.tiles(accuracy);
             self.tiles[place] += each * tiles;
             let fine = polygon.tiles(FINER * accuracy);
@@ -142,7 +142,7 @@ fn slide_wavelengths(sampled: &SampledTree, beam: usize, world: &World, plan: &P
     let tree = &sampled.tree;
     let mps = |facet: u32| world.motion(facet, world.facet(facet).corners_m[0]).velocity_mps;
     let own = mps(tree.beams[beam].facet);
-    let met = tree.way_back(&tree.beams[beam]).map(|mirror| mirror.facet);
+    let met = tree.mirror_chain(&tree.beams[beam]).map(|mirror| mirror.facet);
     let past_mps = |facet: u32| own.distance(mps(facet)).max(world.turning_mps(facet));
     let fastest_mps = met.map(past_mps).fold(0.0, f64::max);
     fastest_mps * plan.header.radar.frame_duration_s() / plan.band.wavelength_m()
@@ -202,13 +202,13 @@ impl<'a> SampledPolygon<'a> {
     ) -> T {
         let reference_m = corners_m.iter().sum::<DVec3>() / corners_m.len() as f64;
         let bracket = bracket_of(self.plan.header.fidelity.nodes);
-        let part = Part { corners_m, reference_m, bracket };
+        let part = PolygonPart { corners_m, reference_m, bracket };
         self.scatterer.with_field_of_beam(self.beam, &part, (&[wavenumber_per_m], accuracy), of)
     }
 
     /// Approximate number of its cells of this size.
     fn cells(&self, size_m: f64) -> f64 {
-        let accuracy = first_accuracy(self.plan.asked());
+        let accuracy = first_accuracy(self.plan.allowed_error());
         if is_large(self.extent_m, size_m) {
             self.critical_cells(size_m, accuracy)
         } else {
@@ -223,7 +223,7 @@ impl<'a> SampledPolygon<'a> {
         let corners_m = corners_m.polygon(&corners_m.beams[self.beam as usize]);
         self.with_field(corners_m, wavenumber_per_m, accuracy, |field| {
             let polygon: Vec<DVec2> = corners_m.iter().map(|c| field.frame.plane_from_world(*c)).collect();
-            field.count_parted(&polygon, size_m, wavenumber_per_m)
+            field.count_split(&polygon, size_m, wavenumber_per_m)
         })
     }
 

@@ -14,7 +14,7 @@ use crate::frame::path_sum::{PathView, element_over_band};
 use crate::joins::join::tree_order;
 use crate::joins::scatterer::{Integration, Scatterer, bracket_of};
 use crate::table::aspect::{left_out_order, other};
-use crate::table::meeting::{MeetingSettings, OrderJoints};
+use crate::table::order_joints::{JointSettings, OrderJoints};
 use crate::table::small_mirrors::SmallMirrors;
 use artifact::paths::Path;
 use artifact::settings::{Edges, NodeRule};
@@ -29,7 +29,7 @@ use std::f64::consts::TAU;
 const CHECKED_FREQUENCIES: usize = 12;
 
 /// Reference: the frame's bodies at the moment of the check.
-pub(crate) struct Reference {
+pub(crate) struct FrameReference {
     frequencies_hz: Vec<f64>,
     /// Scattering amplitude by order from 1, then frequency.
     by_order_m: Vec<Vec<Complex64>>,
@@ -60,7 +60,7 @@ pub(crate) struct FrameError {
 
 /// Powers that the comparison does not contain.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct GivenUp {
+pub(crate) struct OmittedPowers {
     /// Power of the dropped paths, |S|² as in [`element_over_band`].
     pub(crate) paths_power_m2: f64,
     /// Area across the wave of beams over L₁L₂ of the nearest facet, relative to [`Plan::view`] like S: with
@@ -71,7 +71,7 @@ pub(crate) struct GivenUp {
 }
 
 /// Bodies at another moment, traced and integrated anew.
-pub(crate) fn reference(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> Reference {
+pub(crate) fn reference(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> FrameReference {
     let fidelity = &plan.header.fidelity;
     let frequencies_hz = checked_frequencies_hz(plan);
     let wavenumbers = wavenumbers_per_m(&frequencies_hz);
@@ -79,15 +79,15 @@ pub(crate) fn reference(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> Reference
         (1..=fidelity.bounces).map(|order| OrderJoints::of(scatterer, order, &plan.meetings())).collect();
     let (integration, by_order_m) = integration_error(scatterer, plan, &meetings, &wavenumbers);
     let accuracies = &integration.accuracy_of_body;
-    let of = |order: u8, settings: &MeetingSettings| {
+    let of = |order: u8, settings: &JointSettings| {
         of_order(scatterer, plan, (order, settings), &wavenumbers, accuracies)
     };
-    let other = MeetingSettings { nodes: other(fidelity.nodes), ..plan.meetings() };
+    let other = JointSettings { nodes: other(fidelity.nodes), ..plan.meetings() };
     let reaches = |order: u8| order > 1 && tree_order(order, other.nodes) <= plan.trace.max_order;
     let other_m = (1..=fidelity.bounces).map(|o| reaches(o).then(|| of(o, &other))).collect();
-    let alone = MeetingSettings { nodes: NodeRule::Middle, edges: Edges::Ignored, ..plan.meetings() };
+    let alone = JointSettings { nodes: NodeRule::Middle, edges: Edges::Ignored, ..plan.meetings() };
     let left_out_m = left_out_order(fidelity.bounces, plan.trace.max_order).map(|order| of(order, &alone));
-    Reference { by_order_m, other_m, left_out_m, frequencies_hz, integration, second: None }
+    FrameReference { by_order_m, other_m, left_out_m, frequencies_hz, integration, second: None }
 }
 
 fn checked_frequencies_hz(plan: &Plan<'_>) -> Vec<f64> {
@@ -98,7 +98,7 @@ fn wavenumbers_per_m(frequencies_hz: &[f64]) -> Vec<f64> {
     frequencies_hz.iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect()
 }
 
-impl Reference {
+impl FrameReference {
     /// This reference extended by a second pair of elements at a position and moment.
     pub(crate) fn with_second(self, scatterer: &Scatterer<'_>, plan: &Plan<'_>, view: PathView) -> Self {
         let seen_m = self.of_other_beams(scatterer, plan);
@@ -138,7 +138,7 @@ impl Reference {
     /// Number of orders, from the first, that represent all: `few` if these contain at least half of the
     /// power, else every order. Negligible first orders (a corner of three bounces) do not represent the
     /// later ones.
-    pub(crate) fn telling_orders(&self, few: u8) -> u8 {
+    pub(crate) fn representative_orders(&self, few: u8) -> u8 {
         let (first, later) = self.by_order_m.split_at(self.by_order_m.len().min(few.into()));
         if power_of_orders(first) >= power_of_orders(later) {
             first.len() as u8
@@ -194,15 +194,15 @@ impl FrameError {
         plan: &Plan<'_>,
         paths: &[Path],
         points: &[Path],
-        reference: &Reference,
-        given_up: &GivenUp,
+        reference: &FrameReference,
+        omitted_powers: &OmittedPowers,
     ) -> Self {
         let of_reference = if plan.is_cross_polarized() { reference.power_over_array() } else { 0.0 };
         let power = power_over_frame(paths, plan).max(of_reference);
         let relative = |part: f64| amplitude_ratio(part, power);
         let missed = |view: &PathView, bodies: &[Complex64]| {
             let sum_of =
-                |paths: &[Path]| element_over_band(paths, view, plan.hearing(), &reference.frequencies_hz);
+                |paths: &[Path]| element_over_band(paths, view, plan.reception(), &reference.frequencies_hz);
             let exact: Vec<Complex64> =
                 bodies.iter().zip(sum_of(points)).map(|(s, of_points)| s + of_points).collect();
             mean_difference(&exact, &sum_of(paths))
@@ -212,15 +212,15 @@ impl FrameError {
         // The reference is integrated as finely as the paths: the errors of both are added.
         let integration_power = reference.integration.power;
         let compared = second.map_or(first, |second| 0.5 * (first + second));
-        let error_power = compared + integration_power + given_up.blends_power_m2;
-        let [beams, beams_at_most] = given_up.beams;
+        let error_power = compared + integration_power + omitted_powers.blends_power_m2;
+        let [beams, beams_at_most] = omitted_powers.beams;
         let wavenumber_per_m = TAU / plan.band.wavelength_m();
         let scale = (plan.gains.largest() * wavenumber_per_m).powi(2) / std::f64::consts::PI;
         Self {
             total: relative(error_power),
             integration: relative(integration_power),
-            dropped: relative(given_up.paths_power_m2 + scale * beams.powi(2)),
-            dropped_at_most: relative(given_up.paths_power_m2 + scale * beams_at_most.powi(2)),
+            dropped: relative(omitted_powers.paths_power_m2 + scale * beams.powi(2)),
+            dropped_at_most: relative(omitted_powers.paths_power_m2 + scale * beams_at_most.powi(2)),
         }
     }
 
@@ -251,7 +251,7 @@ impl FrameError {
     }
 }
 
-/// [`GivenUp::beams`], with the share of unfollowed mirrors that similar ones scatter.
+/// [`OmittedPowers::beams`], with the share of unfollowed mirrors that similar ones scatter.
 pub(crate) fn dropped_sections(
     scatterer: &Scatterer<'_>,
     plan: &Plan<'_>,
@@ -264,11 +264,12 @@ pub(crate) fn dropped_sections(
     let mut mirrors = SmallMirrors::of(scatterer.trees, needed, plan.trace.least_mirror_area_m2);
     let wavenumbers = plan.band.wavenumbers_per_m();
     let bracket = bracket_of(plan.header.fidelity.nodes);
-    let integration = Integration { wavenumbers_per_m: &wavenumbers, accuracy: plan.asked(), bracket };
+    let integration =
+        Integration { wavenumbers_per_m: &wavenumbers, accuracy: plan.allowed_error(), bracket };
     for meeting in meetings {
         mirrors.add(mirrors.hits(scatterer, meeting, &integration, plan.header.radar.array.polarization));
     }
-    let [sum_m2, squares_m4] = scatterer.trees.transmit().audit.given_up(needed, mirrors.shares(0));
+    let [sum_m2, squares_m4] = scatterer.trees.transmit().audit.dropped_sections(needed, mirrors.shares(0));
     [squares_m4.sqrt() / nearest_m2, sum_m2 / nearest_m2]
 }
 

@@ -7,9 +7,9 @@
 
 use crate::frame::band_power::{MARGIN, mean, total};
 use crate::frame::path_plan::Plan;
-use crate::joins::afforded::{FAR_FINER, are_few_tiles};
+use crate::joins::affordable_accuracy::{FAR_FINER, are_few_tiles};
 use crate::joins::scatterer::{Integration, Scatterer, bracket_of};
-use crate::table::meeting::{MeetingSettings, OrderJoints};
+use crate::table::order_joints::{JointSettings, OrderJoints};
 use artifact::settings::Edges;
 use num_complex::Complex64;
 
@@ -59,11 +59,12 @@ pub(crate) fn integration_error(
     meetings: &[OrderJoints],
     wavenumbers_per_m: &[f64],
 ) -> (IntegrationError, Vec<Vec<Complex64>>) {
-    let asked = plan.asked();
+    let asked = plan.allowed_error();
     let count = plan.header.targets.len();
     let checked = MeasuredMeetings { scatterer, plan, meetings, wavenumbers_per_m };
     let first = first_accuracy(asked);
-    let mut bodies: Vec<OfBody> = (0..count).map(|body| OfBody::at(&checked, body, first)).collect();
+    let mut bodies: Vec<BodyAmplitudes> =
+        (0..count).map(|body| BodyAmplitudes::at(&checked, body, first)).collect();
     for _ in 0..FINER_MOST {
         let power = mean(&total(checked.by_order(&bodies).into_iter(), wavenumbers_per_m.len()));
         let allowed = (INTEGRATION_SHARE * asked / MARGIN).powi(2) * power;
@@ -96,7 +97,7 @@ pub(crate) fn first_accuracy(asked: f64) -> f64 {
 pub(crate) fn of_order(
     scatterer: &Scatterer<'_>,
     plan: &Plan<'_>,
-    (order, settings): (u8, &MeetingSettings),
+    (order, settings): (u8, &JointSettings),
     wavenumbers_per_m: &[f64],
     accuracy_of_body: &[f64],
 ) -> Vec<Complex64> {
@@ -116,7 +117,7 @@ pub(crate) fn of_meeting(
     integration: &Integration<'_>,
 ) -> Vec<Complex64> {
     let amplitudes = meeting.sum(scatterer, plan.view(0.0).origin_m, integration);
-    amplitudes.iter().map(|s| plan.seen(s)).collect()
+    amplitudes.iter().map(|s| plan.polarization_element(s)).collect()
 }
 
 /// Meetings on which integrals are measured.
@@ -139,7 +140,7 @@ impl MeasuredMeetings<'_> {
     }
 
     /// Echoes of all bodies, without paths between them.
-    fn echoes(&self, bodies: &[OfBody]) -> Vec<BodyEcho> {
+    fn echoes(&self, bodies: &[BodyAmplitudes]) -> Vec<BodyEcho> {
         let between: Vec<OrderJoints> = match bodies.len() {
             0 | 1 => vec![],
             _ => self.meetings.iter().map(|meeting| meeting.between_vehicles(self.scatterer)).collect(),
@@ -148,7 +149,7 @@ impl MeasuredMeetings<'_> {
     }
 
     /// Echo of one body, without these paths between bodies.
-    fn echo(&self, (index, body): (usize, &OfBody), between: &[OrderJoints]) -> BodyEcho {
+    fn echo(&self, (index, body): (usize, &BodyAmplitudes), between: &[OrderJoints]) -> BodyEcho {
         let count = self.wavenumbers_per_m.len();
         let bracket = bracket_of(self.plan.header.fidelity.nodes);
         let integration =
@@ -164,14 +165,14 @@ impl MeasuredMeetings<'_> {
     }
 
     /// S of all bodies by order.
-    fn by_order(&self, bodies: &[OfBody]) -> Vec<Vec<Complex64>> {
+    fn by_order(&self, bodies: &[BodyAmplitudes]) -> Vec<Vec<Complex64>> {
         let count = self.wavenumbers_per_m.len();
         let of_order = |order: usize| total(bodies.iter().map(|body| body.by_order[order].clone()), count);
         (0..self.meetings.len()).map(of_order).collect()
     }
 
     /// Mean square error of all these bodies together.
-    fn error_power(&self, bodies: &[OfBody]) -> f64 {
+    fn error_power(&self, bodies: &[BodyAmplitudes]) -> f64 {
         mean(&total(bodies.iter().map(|body| body.error.clone()), self.wavenumbers_per_m.len()))
     }
 
@@ -214,7 +215,7 @@ impl MeasuredMeetings<'_> {
 }
 
 /// Scattering amplitude of the nodes on one body, over frequency.
-struct OfBody {
+struct BodyAmplitudes {
     accuracy: f64,
     /// S by order.
     by_order: Vec<Vec<Complex64>>,
@@ -222,18 +223,20 @@ struct OfBody {
     error: Vec<Complex64>,
 }
 
-impl OfBody {
+impl BodyAmplitudes {
     fn at(checked: &MeasuredMeetings<'_>, body: usize, accuracy: f64) -> Self {
-        Self::beside(checked, (body, accuracy), || checked.of_all_orders(body, accuracy / FINER))
+        Self::compared_with(checked, (body, accuracy), || checked.of_all_orders(body, accuracy / FINER))
     }
 
     /// Finer integrals, with their error from the comparison with these.
     fn finer(&self, checked: &MeasuredMeetings<'_>, body: usize) -> Self {
         let count = checked.wavenumbers_per_m.len();
-        Self::beside(checked, (body, FINER * self.accuracy), || total(self.by_order.iter().cloned(), count))
+        Self::compared_with(checked, (body, FINER * self.accuracy), || {
+            total(self.by_order.iter().cloned(), count)
+        })
     }
 
-    fn beside(
+    fn compared_with(
         checked: &MeasuredMeetings<'_>,
         (body, accuracy): (usize, f64),
         coarser: impl FnOnce() -> Vec<Complex64>,

@@ -6,17 +6,17 @@ use crate::bodies::models::Models;
 use crate::bodies::road::check_road;
 use crate::frame::blends::blending::{split, split_alike};
 use crate::frame::frame_error::target_error::target_errors;
-use crate::frame::frame_error::{Reference, reference};
+use crate::frame::frame_error::{FrameReference, reference};
 use crate::frame::left_out::between_bodies::between_bodies_left_out;
 use crate::frame::left_out::road::road_left_out;
 use crate::frame::path_plan::Plan;
 use crate::frame::path_table::{Fit, paths_as_fine};
 use crate::frame::snapshot::nearest_surface::nearest_range_m;
-use crate::frame::snapshot::{Scenery, Snapshot};
+use crate::frame::snapshot::{Snapshot, TracedScene};
 use crate::joins::scatterer::check_order;
-use crate::oversight::error::BartError;
-use crate::oversight::progress::{Phase, Progress, Unheard};
-use crate::surface::skin::{COARSER, FinerSkin, told_error};
+use crate::run_control::error::BartError;
+use crate::run_control::progress::{NoProgress, Phase, Progress};
+use crate::surface::skin::{COARSER, FinerSkin, reported_error};
 use artifact::paths::{Curve, ErrorOrigin, Fineness, Path, PathsFrame, Rim, TraceStatistics};
 use artifact::scene::{Pose, SceneFrame, SceneHeader, Target, TargetKind, Wheel};
 use artifact::settings::Surface;
@@ -27,7 +27,7 @@ use std::f64::consts::TAU;
 
 /// Context in which a frame is made.
 #[derive(Clone, Copy)]
-pub struct FrameSurroundings<'a> {
+pub struct FrameContext<'a> {
     /// Nearby frame of the scene whose fineness is used and whose measured errors are reported for this one.
     /// Nothing is then traced or integrated twice, which makes a frame three to six times cheaper. If that
     /// frame had no bodies this one is measured itself, as reported by `trace.origin`.
@@ -36,9 +36,9 @@ pub struct FrameSurroundings<'a> {
     pub progress: &'a dyn Progress,
 }
 
-impl FrameSurroundings<'static> {
+impl FrameContext<'static> {
     /// Measured itself, without progress reports.
-    pub const ALONE: Self = Self { like: None, progress: &Unheard };
+    pub const ALONE: Self = Self { like: None, progress: &NoProgress };
 }
 
 /// [`crate::Tracer::all_paths`] for these models.
@@ -46,20 +46,20 @@ pub(crate) fn trace_frame(
     models: &Models,
     header: &SceneHeader,
     frame: &SceneFrame,
-    surroundings: &FrameSurroundings<'_>,
+    context: &FrameContext<'_>,
 ) -> Result<PathsFrame, BartError> {
     check_order(header.fidelity.bounces)?;
     check_road(header)?;
     let gains = BodyGains::of(models, header, frame)?;
-    let plan = Plan::of(header, frame, surroundings.progress).with_gains(gains);
-    let scenery = Scenery { models, frame, plan: &plan, held_bytes: 0 };
-    match surroundings.like.and_then(|measured| Some((measured, measured.trace.fineness.as_ref()?))) {
+    let plan = Plan::of(header, frame, context.progress).with_gains(gains);
+    let scenery = TracedScene { models, frame, plan: &plan, held_bytes: 0 };
+    match context.like.and_then(|measured| Some((measured, measured.trace.fineness.as_ref()?))) {
         Some((measured, fineness)) => traced_like(&scenery, measured, fineness),
         None => traced(&scenery),
     }
 }
 
-fn traced(scenery: &Scenery<'_>) -> Result<PathsFrame, BartError> {
+fn traced(scenery: &TracedScene<'_>) -> Result<PathsFrame, BartError> {
     let (plan, frame) = (scenery.plan, scenery.frame);
     let header = plan.header;
     // Bodies and beams of one moment at a time.
@@ -82,7 +82,7 @@ fn traced(scenery: &Scenery<'_>) -> Result<PathsFrame, BartError> {
         let scatterer = snapshot.scatterer(plan, Phase::Integrating);
         let fit = Fit::new(&scatterer, plan, &points, &reference);
         let table = fit.table(&|table, others| {
-            let beside = scenery.beside(snapshot.bytes_beside() + others);
+            let beside = scenery.with_held_bytes(snapshot.bytes_beside() + others);
             split(&beside, table, &points, &reference)
         })?;
         (FrameFindings::of(&snapshot, plan), table, !snapshot.world.facets().is_empty())
@@ -103,7 +103,10 @@ fn traced(scenery: &Scenery<'_>) -> Result<PathsFrame, BartError> {
 
 /// Extends the reference by a second pair of elements if the array is wide; also returns the memory used,
 /// bytes.
-fn with_second(scenery: &Scenery<'_>, reference: Reference) -> Result<(Reference, u64), BartError> {
+fn with_second(
+    scenery: &TracedScene<'_>,
+    reference: FrameReference,
+) -> Result<(FrameReference, u64), BartError> {
     let plan = scenery.plan;
     let Some((ends_m, seconds)) = plan.second_check else { return Ok((reference, 0)) };
     let second = scenery.at(seconds, ends_m)?;
@@ -115,8 +118,8 @@ fn with_second(scenery: &Scenery<'_>, reference: Reference) -> Result<(Reference
 /// or with finer facets where these show more ([`FinerSkin`]), for a `reference` of this number of facets
 /// subdivided for an error; `None` if facets are the surface.
 fn tessellation(
-    scenery: &Scenery<'_>,
-    reference: &Reference,
+    scenery: &TracedScene<'_>,
+    reference: &FrameReference,
     (facets, skin_error): (usize, f64),
 ) -> Result<Option<f64>, BartError> {
     let plan = scenery.plan;
@@ -126,19 +129,19 @@ fn tessellation(
     }
     let difference = |models: Models| -> Result<(f64, usize), BartError> {
         let models = models.within(scenery.models.memory_limit);
-        let other = Scenery { models: &models, ..*scenery }.at(plan.check_s, plan.check_ends_m)?;
+        let other = TracedScene { models: &models, ..*scenery }.at(plan.check_s, plan.check_ends_m)?;
         Ok((reference.difference(&other.scatterer(plan, Phase::Checking), plan), other.world.facets().len()))
     };
     let (by_coarser, coarser) = difference(Models::build_coarser(header, COARSER * skin_error)?)?;
-    let by_finer = match FinerSkin::beside(facets, coarser, header.fidelity.bounces) {
+    let by_finer = match FinerSkin::affordable(facets, coarser, header.fidelity.bounces) {
         Some(cut) => cut.over_difference() * difference(Models::build_finer(header, cut.times)?)?.0,
         None => 0.0,
     };
-    Ok(Some(told_error(by_coarser.max(by_finer), skin_error)))
+    Ok(Some(reported_error(by_coarser.max(by_finer), skin_error)))
 }
 
 fn traced_like(
-    scenery: &Scenery<'_>,
+    scenery: &TracedScene<'_>,
     measured: &PathsFrame,
     fineness: &Fineness,
 ) -> Result<PathsFrame, BartError> {

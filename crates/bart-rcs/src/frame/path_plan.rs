@@ -3,11 +3,11 @@
 use crate::beams::beam::TraceSettings;
 use crate::bodies::body_gains::BodyGains;
 use crate::edges::lit_edge::tree_order_with;
-use crate::frame::array_places::{ArrayRow, checked_from_m};
-use crate::frame::path_sum::{Hearing, PathView};
-use crate::oversight::progress::Progress;
-use crate::surface::skin::share_beside;
-use crate::table::meeting::MeetingSettings;
+use crate::frame::array_positions::{ArrayRow, checked_from_m};
+use crate::frame::path_sum::{PathView, Reception};
+use crate::run_control::progress::Progress;
+use crate::surface::skin::remaining_share;
+use crate::table::order_joints::JointSettings;
 use artifact::Waveform;
 use artifact::paths::Amplitude;
 use artifact::scene::{SceneFrame, SceneHeader};
@@ -101,27 +101,27 @@ impl<'a> Plan<'a> {
 
     /// Relative amplitude error allowed for the frame's paths: what the approximation of a skin by facets
     /// leaves of the requested accuracy.
-    pub(crate) fn asked(&self) -> f64 {
+    pub(crate) fn allowed_error(&self) -> f64 {
         let Fidelity { accuracy, surface, .. } = self.header.fidelity;
-        share_beside(surface) * accuracy.amplitude()
+        remaining_share(surface) * accuracy.amplitude()
     }
 
     /// Element of a 2 × 2 amplitude in the radar's polarization, to which errors refer.
-    pub(crate) fn seen(&self, amplitude: &Amplitude) -> Complex64 {
+    pub(crate) fn polarization_element(&self, amplitude: &Amplitude) -> Complex64 {
         let (receive, transmit) = self.header.radar.array.polarization.indices();
         amplitude[receive][transmit]
     }
 
     /// Part of paths that the radar receives.
-    pub(crate) fn hearing(&self) -> Hearing<'_> {
-        Hearing { element: self.header.radar.array.polarization.indices(), gains: &self.gains }
+    pub(crate) fn reception(&self) -> Reception<'_> {
+        Reception { element: self.header.radar.array.polarization.indices(), gains: &self.gains }
     }
 
     /// Settings of the meetings: which parts of the bodies scatter.
-    pub(crate) fn meetings(&self) -> MeetingSettings {
+    pub(crate) fn meetings(&self) -> JointSettings {
         let Fidelity { nodes, edges, .. } = self.header.fidelity;
         let wavenumber_per_m = TAU / self.band.wavelength_m();
-        MeetingSettings { nodes, edges, least_area_m2: self.trace.least_area_m2, wavenumber_per_m }
+        JointSettings { nodes, edges, least_area_m2: self.trace.least_area_m2, wavenumber_per_m }
     }
 
     /// Vector ĥ straight above and below the radar: to the left of its boresight.

@@ -8,7 +8,7 @@ use artifact::paths::Path;
 use num_complex::Complex64;
 
 /// Kept paths, in their order, and the power of the others.
-pub(crate) struct Kept {
+pub(crate) struct PrunedPaths {
     pub(crate) paths: Vec<Path>,
     /// Power of the dropped paths of each target in the radar's polarization: the larger of
     /// Σ|a·R²/(L₁L₂)|², as if their phases were independent, and of their sum over the band.
@@ -33,9 +33,9 @@ const RUNS: usize = 64;
 ///
 /// Both their summed power and the power of their sum count: cells of a smooth face, such as a kerb's or a
 /// rail's, are weak individually but in phase with their neighbours.
-pub(crate) fn pruned(paths: Vec<Path>, plan: &Plan<'_>, world: &World) -> Kept {
+pub(crate) fn pruned(paths: Vec<Path>, plan: &Plan<'_>, world: &World) -> PrunedPaths {
     let view = plan.view(plan.middle_s);
-    let most = (DROPPED_SHARE * plan.asked()).powi(2);
+    let most = (DROPPED_SHARE * plan.allowed_error()).powi(2);
     let powers: Vec<f64> = paths.iter().map(|path| power(path, plan, &view)).collect();
     let mut keep = vec![true; paths.len()];
     let (mut dropped_powers, mut strongest_dropped) = (Vec::new(), Vec::new());
@@ -58,7 +58,7 @@ pub(crate) fn pruned(paths: Vec<Path>, plan: &Plan<'_>, world: &World) -> Kept {
         strongest_dropped.push(dropped.last().map_or(0.0, |&i| powers[i]));
     }
     let paths = paths.into_iter().zip(keep).filter_map(|(path, keep)| keep.then_some(path)).collect();
-    Kept { paths, dropped_powers, strongest_dropped }
+    PrunedPaths { paths, dropped_powers, strongest_dropped }
 }
 
 /// Largest number of the first of these paths whose sum over the band and the array stays within a power, and
@@ -74,7 +74,7 @@ fn negligible_together(weak: &[usize], paths: &[Path], plan: &Plan<'_>, budget: 
     for run in weak.chunks(weak.len().div_ceil(RUNS).max(1)) {
         let of_run: Vec<Path> = run.iter().map(|&i| paths[i]).collect();
         for (sum, view) in sums.iter_mut().zip(&views) {
-            let added = element_over_band(&of_run, view, plan.hearing(), &frequencies);
+            let added = element_over_band(&of_run, view, plan.reception(), &frequencies);
             sum.iter_mut().zip(added).for_each(|(sum, added)| *sum += added);
         }
         seen += run.len();
@@ -103,5 +103,6 @@ fn power(path: &Path, plan: &Plan<'_>, view: &PathView) -> f64 {
     let [from_tx_m, from_rx_m] = apparent_m(path, view.seconds);
     let (l1, l2) = (from_tx_m.distance(view.transmitter_m), from_rx_m.distance(view.receiver_m));
     let ranges = view.origin_m.distance(view.transmitter_m) * view.origin_m.distance(view.receiver_m);
-    plan.seen(&path.amplitude_m).norm_sqr() * (plan.gains.of_path(path) * ranges / (l1 * l2)).powi(2)
+    plan.polarization_element(&path.amplitude_m).norm_sqr()
+        * (plan.gains.of_path(path) * ranges / (l1 * l2)).powi(2)
 }

@@ -26,7 +26,7 @@ pub struct PathView {
 
 /// Part of paths that a radar receives.
 #[derive(Clone, Copy)]
-pub(crate) struct Hearing<'a> {
+pub(crate) struct Reception<'a> {
     /// Polarization, received and transmitted, as indices of an amplitude.
     pub(crate) element: (usize, usize),
     /// Gains of the radar's antennas.
@@ -60,7 +60,7 @@ pub fn scattering_of_paths<'a>(
 pub(crate) fn element_over_band(
     paths: &[Path],
     view: &PathView,
-    hearing: Hearing<'_>,
+    hearing: Reception<'_>,
     frequencies_hz: &[f64],
 ) -> Vec<Complex64> {
     const PATHS_PER_RUN: usize = 4096;
@@ -164,7 +164,7 @@ mod tests {
         };
         let frequencies: Vec<f64> = (0..24).map(|i| 76.5e9 + 4e7 * f64::from(i)).collect();
         let alike = BodyGains::default();
-        let hearing = |element| Hearing { element, gains: &alike };
+        let hearing = |element| Reception { element, gains: &alike };
         let got = element_over_band(&paths, &view, hearing((0, 1)), &frequencies);
         for (value, f) in got.iter().zip(&frequencies) {
             let exact = scattering_of_paths(&paths, &view, *f)[0][1];

@@ -1,18 +1,18 @@
 //! Path table with the largest cells that the requested accuracy permits.
 
-use crate::beams::body_ways::BodyWays;
+use crate::beams::body_sequences::BodySequences;
 use crate::bodies::world::World;
-use crate::frame::cells::cell_room::CellRoom;
+use crate::frame::cells::cell_memory::CellMemory;
 use crate::frame::cells::edge_cells::{edge_cells, truncation_cells};
 use crate::frame::cells::path_cells::{BYTES_PER_CELL, Cell, CellSettings, cells, gathered};
-use crate::frame::frame_error::{FrameError, GivenUp, Reference, dropped_sections};
+use crate::frame::frame_error::{FrameError, FrameReference, OmittedPowers, dropped_sections};
 use crate::frame::path_plan::{MOMENTS_MAX, MOMENTS_USUAL, PATHS_MAX, Plan, SampledBand, WHEEL_STEPS};
-use crate::frame::path_pruning::{Kept, pruned};
+use crate::frame::path_pruning::{PrunedPaths, pruned};
 use crate::geometry::antenna::Antenna;
 use crate::joins::scatterer::{Scatterer, bracket_of};
-use crate::oversight::error::BartError;
-use crate::oversight::memory::with_joints;
-use crate::table::meeting::OrderJoints;
+use crate::run_control::error::BartError;
+use crate::run_control::memory::with_joints;
+use crate::table::order_joints::OrderJoints;
 use artifact::paths::{Curve, Fineness, IntegralFineness, Path};
 use artifact::scene::{SceneHeader, Target};
 use artifact::units::SPEED_OF_LIGHT_MPS;
@@ -24,10 +24,10 @@ pub(crate) struct PathTable {
     pub(crate) paths: Vec<Path>,
     pub(crate) fineness: Fineness,
     pub(crate) error: FrameError,
-    pub(crate) given_up: GivenUp,
-    /// Power of the dropped paths of each target, as in [`Kept`].
+    pub(crate) omitted_powers: OmittedPowers,
+    /// Power of the dropped paths of each target, as in [`PrunedPaths`].
     pub(crate) dropped_powers: Vec<f64>,
-    /// Power of the strongest dropped path of each target, as in [`Kept`].
+    /// Power of the strongest dropped path of each target, as in [`PrunedPaths`].
     pub(crate) strongest_dropped: Vec<f64>,
     /// Peak memory of the moments from which it was blended, bytes.
     pub(crate) bytes: u64,
@@ -51,7 +51,7 @@ pub(crate) fn paths_as_fine(
     scatterer: &Scatterer<'_>,
     plan: &Plan<'_>,
     fineness: &Fineness,
-) -> Result<Kept, BartError> {
+) -> Result<PrunedPaths, BartError> {
     let cell_m = fineness.cell_m.min(largest_cell_of_world_m(plan, scatterer.world));
     BodyParts::of(scatterer, plan).paths(cell_m, &accuracy_of_body(plan, fineness), 0)
 }
@@ -59,7 +59,7 @@ pub(crate) fn paths_as_fine(
 /// Another moment of the frame, or another position on the array.
 pub(crate) struct BlendNode<'a> {
     /// Sequences of bodies to trace; all of them if none are named.
-    pub(crate) ways: Option<&'a BodyWays>,
+    pub(crate) ways: Option<&'a BodySequences>,
     /// Time after the frame's first sample, s.
     pub(crate) seconds: f64,
     /// Positions of the transmitter and the receiver.
@@ -75,12 +75,12 @@ pub(crate) fn paths_along(
 ) -> Result<Vec<Path>, BartError> {
     let cell_m = fineness.cell_m.min(largest_cell_of_world_m(plan, scatterer.world));
     let parts = BodyParts::along(scatterer, plan, node.ways);
-    parts.found(cell_m, &accuracy_of_body(plan, fineness), (node.seconds, node.ends_m), &parts.room())
+    parts.trace(cell_m, &accuracy_of_body(plan, fineness), (node.seconds, node.ends_m), &parts.room())
 }
 
 /// Accuracy of each body; a new body is given the finest.
 fn accuracy_of_body(plan: &Plan<'_>, fineness: &Fineness) -> Vec<f64> {
-    let finest = fineness.integrals.iter().map(|of| of.accuracy).fold(plan.asked(), f64::min);
+    let finest = fineness.integrals.iter().map(|of| of.accuracy).fold(plan.allowed_error(), f64::min);
     let of_body =
         |id: &str| fineness.integrals.iter().find(|of| of.body == id).map_or(finest, |of| of.accuracy);
     plan.header.targets.iter().map(|target| of_body(&target.id)).collect()
@@ -101,34 +101,34 @@ impl<'a> BodyParts<'a> {
     }
 
     /// Parts on some sequences of bodies alone.
-    fn along(scatterer: &'a Scatterer<'a>, plan: &'a Plan<'a>, ways: Option<&BodyWays>) -> Self {
+    fn along(scatterer: &'a Scatterer<'a>, plan: &'a Plan<'a>, ways: Option<&BodySequences>) -> Self {
         let Some(ways) = ways else { return Self::of(scatterer, plan) };
-        let orders = (1..=plan.header.fidelity.bounces).filter(|order| ways.have_order(*order));
+        let orders = (1..=plan.header.fidelity.bounces).filter(|order| ways.has_order(*order));
         let of_order = |order: u8| OrderJoints::of(scatterer, order, &plan.meetings()).along(scatterer, ways);
         Self { scatterer, plan, meetings: orders.map(of_order).collect() }
     }
 
     /// Paths while other tables of `others` bytes are held.
-    fn paths(&self, cell_m: f64, accuracy_of_body: &[f64], others: u64) -> Result<Kept, BartError> {
+    fn paths(&self, cell_m: f64, accuracy_of_body: &[f64], others: u64) -> Result<PrunedPaths, BartError> {
         let at = (self.plan.middle_s, [self.plan.position_m; 2]);
-        let paths = self.found(cell_m, accuracy_of_body, at, &self.room().holding(others))?;
+        let paths = self.trace(cell_m, accuracy_of_body, at, &self.room().holding(others))?;
         Ok(pruned(paths, self.plan, self.scatterer.world))
     }
 
     /// Memory available for cells besides the beams.
-    fn room(&self) -> CellRoom {
+    fn room(&self) -> CellMemory {
         let (trees, limit) = (self.scatterer.trees, self.scatterer.world.memory_limit());
-        CellRoom::beside(with_joints(trees.bytes()), limit, BYTES_PER_CELL)
+        CellMemory::besides_beams(with_joints(trees.bytes()), limit, BYTES_PER_CELL)
     }
 
     /// Paths of all parts, for bodies some `seconds` after the frame's first sample, from a transmitter to a
     /// receiver.
-    fn found(
+    fn trace(
         &self,
         cell_m: f64,
         accuracy_of_body: &[f64],
         (seconds, ends_m): (f64, [DVec3; 2]),
-        room: &CellRoom,
+        room: &CellMemory,
     ) -> Result<Vec<Path>, BartError> {
         let wavenumbers = self.plan.band.wavenumbers_per_m();
         let settings = CellSettings {
@@ -201,8 +201,8 @@ pub(crate) struct Fit<'a> {
     parts: BodyParts<'a>,
     /// Paths of point targets, which are exact and part of the frame.
     points: &'a [Path],
-    reference: &'a Reference,
-    beams_given_up: [f64; 2],
+    reference: &'a FrameReference,
+    beams: [f64; 2],
 }
 
 impl<'a> Fit<'a> {
@@ -210,11 +210,11 @@ impl<'a> Fit<'a> {
         scatterer: &'a Scatterer<'a>,
         plan: &'a Plan<'a>,
         points: &'a [Path],
-        reference: &'a Reference,
+        reference: &'a FrameReference,
     ) -> Self {
         let parts = BodyParts::of(scatterer, plan);
-        let beams_given_up = dropped_sections(scatterer, plan, &parts.meetings);
-        Self { parts, points, reference, beams_given_up }
+        let beams = dropped_sections(scatterer, plan, &parts.meetings);
+        Self { parts, points, reference, beams }
     }
 
     /// Table with the largest cells that meet the accuracy; the best found if none does within a few
@@ -250,7 +250,7 @@ impl<'a> Fit<'a> {
     }
 
     fn is_met(&self, table: &PathTable) -> bool {
-        table.error.measured() <= self.parts.plan.asked()
+        table.error.measured() <= self.parts.plan.allowed_error()
     }
 
     /// Best of a few tables with ever smaller cells, until one meets the accuracy, has more paths than a
@@ -265,7 +265,7 @@ impl<'a> Fit<'a> {
     ) -> Result<(PathTable, usize), BartError> {
         const ATTEMPTS: usize = 6;
         let plan = self.parts.plan;
-        let asked = plan.asked();
+        let asked = plan.allowed_error();
         let (first_m, first) = (largest.fineness.cell_m, largest.error.measured());
         let (mut size_m, mut tried) = (first_m, largest.paths.len());
         let mut best = largest;
@@ -296,15 +296,16 @@ impl<'a> Fit<'a> {
 
     fn table_of(&self, cell_m: f64, others: u64) -> Result<PathTable, BartError> {
         let integration = &self.reference.integration;
-        let Kept { mut paths, dropped_powers, strongest_dropped } =
+        let PrunedPaths { mut paths, dropped_powers, strongest_dropped } =
             self.parts.paths(cell_m, &integration.accuracy_of_body, others)?;
         paths.extend_from_slice(self.points);
-        let given_up = GivenUp {
+        let omitted_powers = OmittedPowers {
             paths_power_m2: dropped_powers.iter().sum(),
-            beams: self.beams_given_up,
+            beams: self.beams,
             blends_power_m2: 0.0,
         };
-        let error = FrameError::measured_on(self.parts.plan, &paths, self.points, self.reference, &given_up);
+        let error =
+            FrameError::measured_on(self.parts.plan, &paths, self.points, self.reference, &omitted_powers);
         let of = |(target, accuracy): (&Target, &f64)| IntegralFineness {
             body: target.id.clone(),
             accuracy: *accuracy,
@@ -314,7 +315,7 @@ impl<'a> Fit<'a> {
             self.parts.plan.header.targets.iter().zip(&integration.accuracy_of_body).map(of).collect();
         let fineness =
             Fineness { cell_m, integrals, moments: 1, ways: vec![], places: 1, ways_of_places: vec![] };
-        Ok(PathTable { paths, fineness, error, given_up, dropped_powers, strongest_dropped, bytes: 0 })
+        Ok(PathTable { paths, fineness, error, omitted_powers, dropped_powers, strongest_dropped, bytes: 0 })
     }
 }
 
@@ -361,7 +362,7 @@ fn wheel_cell_m(plan: &Plan<'_>, world: &World, cell_m: f64) -> f64 {
     if wheel_radps == 0.0 {
         return cell_m;
     }
-    let turn = (128.0 / 3.0 * plan.asked()).powf(0.25);
+    let turn = (128.0 / 3.0 * plan.allowed_error()).powf(0.25);
     let step_s = plan.header.radar.frame_duration_s() / f64::from(WHEEL_STEPS / 2);
     let wavelength_m = plan.band.wavelength_m();
     let largest_m = turn * wavelength_m / (TAU * wheel_radps * step_s);

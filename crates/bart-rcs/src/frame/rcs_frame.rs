@@ -13,13 +13,13 @@ use crate::integral::polarization::zenith_h;
 use crate::joins::band::INTERPOLATION_ERROR;
 use crate::joins::joint::Trees;
 use crate::joins::scatterer::{Integration, Scatterer, ZenithH, bracket_of, check_order};
-use crate::oversight::error::BartError;
-use crate::oversight::progress::{Phase, Progress, Unheard};
-use crate::surface::skin::{COARSER, FinerSkin, told_error};
+use crate::run_control::error::BartError;
+use crate::run_control::progress::{NoProgress, Phase, Progress};
+use crate::surface::skin::{COARSER, FinerSkin, reported_error};
 use crate::table::aspect_settings::{Finer, IntegralsCheck};
 use crate::table::far_field_error::Compared;
 use crate::table::measured_aspects::interpolation_error;
-use crate::table::meeting::{MeetingSettings, OrderJoints};
+use crate::table::order_joints::{JointSettings, OrderJoints};
 use crate::table::rcs_table::next_order;
 use crate::table::small_mirrors::SmallMirrors;
 use artifact::rcs::{RcsFrame, RcsTable};
@@ -61,8 +61,9 @@ pub(crate) fn rcs_frame(
                 let mesh = header.meshes.get(mesh as usize).ok_or_else(missing)?;
                 let model = models.of(target)?.ok_or_else(missing)?;
                 let world = World::alone(model, target, mesh.makeup.transmission)?;
-                let body = TabledBody::new(header, (target, mesh), world, pose);
-                let (of_body, table) = body.heard_by(gains.of_way([index; 2])).measured_table(index)?;
+                let body = TabulatedBody::new(header, (target, mesh), world, pose);
+                let (of_body, table) =
+                    body.weighted_by_gain(gains.of_way([index; 2])).measured_table(index)?;
                 powers.add(&of_body);
                 table
             }
@@ -103,7 +104,7 @@ const INSTANTS: usize = 9;
 const STILL_RAD: f64 = 1e-6;
 
 /// A body in its own frame and its aspects towards the radar during the frame.
-struct TabledBody<'a> {
+struct TabulatedBody<'a> {
     header: &'a SceneHeader,
     target: &'a Target,
     mesh: &'a Mesh,
@@ -133,7 +134,7 @@ struct Powers {
     spherical: f64,
 }
 
-impl<'a> TabledBody<'a> {
+impl<'a> TabulatedBody<'a> {
     fn new(
         header: &'a SceneHeader,
         (target, mesh): (&'a Target, &'a Mesh),
@@ -143,7 +144,7 @@ impl<'a> TabledBody<'a> {
         Self { header, target, mesh, pose, world, radius_m: mesh.reach_m(), gain: 1.0 }
     }
 
-    fn heard_by(self, gain: f64) -> Self {
+    fn weighted_by_gain(self, gain: f64) -> Self {
         Self { gain, ..self }
     }
 
@@ -229,7 +230,7 @@ impl<'a> TabledBody<'a> {
         if edges == Edges::Ignored && !is_bent {
             return interpolation;
         }
-        let finer = Finer::beside(scatterer, meetings, &integration);
+        let finer = Finer::comparison(scatterer, meetings, &integration);
         let accuracy = finer.bounds() * integration.accuracy;
         let finer_m = self.by_order(scatterer, meetings, &Integration { accuracy, ..integration });
         let finer_m = total(&finer_m, wavenumbers.len());
@@ -251,13 +252,13 @@ impl<'a> TabledBody<'a> {
         let (header, own) = (self.header, self.world.facets().len());
         let differing = |mesh: BodyMesh| -> Result<(f64, usize), BartError> {
             let world = World::alone(Arc::new(mesh), self.target, self.mesh.makeup.transmission)?;
-            let other = TabledBody { world, ..*self };
+            let other = TabulatedBody { world, ..*self };
             let other_m = other.anew(Antenna::Direction(middle / middle.length()), middle, wavenumbers)?;
             Ok((difference(table, &other_m), other.world.facets().len()))
         };
         let error = COARSER * self.world.skin_error();
         let (by_coarser, coarser) = differing(Models::coarser_of(header, self.mesh, error)?)?;
-        let Some(cut) = FinerSkin::beside(own, coarser, header.fidelity.bounces) else {
+        let Some(cut) = FinerSkin::affordable(own, coarser, header.fidelity.bounces) else {
             return Ok(by_coarser);
         };
         let (by_finer, _) = differing(Models::finer_of(header, self.mesh, cut.times)?)?;
@@ -273,7 +274,7 @@ impl<'a> TabledBody<'a> {
         for meeting in meetings {
             mirrors.add(mirrors.hits(scatterer, meeting, &integration, polarization));
         }
-        let overlaps = meetings.iter().map(|meeting| meeting.facets.given_up);
+        let overlaps = meetings.iter().map(|meeting| meeting.facets.dropped_sections);
         let [dropped_m, _] = mirrors.dropped_m(scatterer.trees, overlaps, (trace.max_order, wavenumbers));
         dropped_m
     }
@@ -291,7 +292,7 @@ impl<'a> TabledBody<'a> {
 
     fn trace(&self, antenna: Antenna) -> Result<BeamTree, BartError> {
         let wavelength_m = self.header.radar.waveform.wavelength_m();
-        BeamTree::trace_from_outside(&self.world, antenna, wavelength_m, &self.trace_settings(), &Unheard)
+        BeamTree::trace_from_outside(&self.world, antenna, wavelength_m, &self.trace_settings(), &NoProgress)
     }
 
     /// Settings as for paths: slivers below λ²/100·accuracy are dropped, mirrors below a hundred times that
@@ -318,7 +319,7 @@ impl<'a> TabledBody<'a> {
         let fidelity = &self.header.fidelity;
         let wavenumber_per_m = TAU / self.header.radar.waveform.wavelength_m();
         let settings =
-            MeetingSettings { nodes: fidelity.nodes, edges: fidelity.edges, least_area_m2, wavenumber_per_m };
+            JointSettings { nodes: fidelity.nodes, edges: fidelity.edges, least_area_m2, wavenumber_per_m };
         (1..=fidelity.bounces).map(|order| OrderJoints::of(scatterer, order, &settings)).collect()
     }
 
@@ -433,7 +434,7 @@ impl Powers {
 
     /// Errors of the table: integrals are exact to rounding at best; shadows are those of the middle.
     fn error(&self) -> ErrorBudget {
-        let told = told_error(self.relative(self.tessellation), self.cut_for);
+        let told = reported_error(self.relative(self.tessellation), self.cut_for);
         ErrorBudget {
             integration: Some(self.relative(self.integration).max(1e-12)),
             tessellation: (self.cut_for > 0.0).then_some(told),

@@ -3,25 +3,25 @@
 pub(crate) mod nearest_surface; // nearest lit point of a body
 
 use crate::beams::beam::BeamTree;
-use crate::beams::body_ways::BodyWays;
-use crate::beams::image_tree::Received;
+use crate::beams::body_sequences::BodySequences;
+use crate::beams::image_tree::RoadTree;
 use crate::bodies::models::Models;
-use crate::bodies::stand_off::check_stand;
+use crate::bodies::stand_off::check_antenna_position;
 use crate::bodies::world::World;
 use crate::frame::blends::axis::BlendAxis;
 use crate::frame::path_plan::Plan;
 use crate::geometry::antenna::Antenna;
 use crate::joins::joint::Trees;
 use crate::joins::scatterer::{Scatterer, ZenithH};
-use crate::oversight::error::BartError;
-use crate::oversight::memory::with_joints;
-use crate::oversight::progress::Phase;
+use crate::run_control::error::BartError;
+use crate::run_control::memory::with_joints;
+use crate::run_control::progress::Phase;
 use artifact::scene::{Pose, SceneFrame};
 use glam::DVec3;
 
 /// Scene from which a frame is traced.
 #[derive(Clone, Copy)]
-pub(crate) struct Scenery<'a> {
+pub(crate) struct TracedScene<'a> {
     pub(crate) models: &'a Models,
     pub(crate) frame: &'a SceneFrame,
     pub(crate) plan: &'a Plan<'a>,
@@ -33,20 +33,20 @@ pub(crate) struct Scenery<'a> {
 pub(crate) struct Snapshot {
     pub(crate) world: World,
     pub(crate) tree: BeamTree,
-    arriving: Arriving,
+    arriving: ReceiverBeams,
 }
 
 /// Beams of the receiver.
-enum Arriving {
+enum ReceiverBeams {
     /// Beams of the transmitter, which is at the same place.
     AsSent,
     /// Beams of the transmitter and of its image below the road.
-    WithImage(Received),
+    WithImage(RoadTree),
     /// Separate beams, at another place; over a road with those of its image.
     Apart(BeamTree),
 }
 
-impl Scenery<'_> {
+impl TracedScene<'_> {
     /// All bodies and beams some `seconds` after the frame's first sample, from a transmitter to a receiver.
     pub(crate) fn at(&self, seconds: f64, ends_m: [DVec3; 2]) -> Result<Snapshot, BartError> {
         let (world, plan) = (self.world(seconds)?, self.plan);
@@ -56,28 +56,28 @@ impl Scenery<'_> {
             BeamTree::trace_from_outside(&world, antenna, wavelength_m, &plan.trace, plan.progress)
         };
         let (tree, apart) = of_ends(ends_m, traced)?;
-        Ok(Snapshot::heard_at(world, tree, apart))
+        Ok(Snapshot::with_trees(world, tree, apart))
     }
 
     /// Bodies and beams of some sequences alone, some `seconds` after the frame's first sample.
     pub(crate) fn along(
         &self,
-        ways: &BodyWays,
+        ways: &BodySequences,
         seconds: f64,
         ends_m: [DVec3; 2],
     ) -> Result<Snapshot, BartError> {
         let (world, plan) = (self.world(seconds)?, self.plan);
         let traced = |place_m: DVec3| {
             let antenna = Antenna::Point(place_m);
-            check_stand(&world, antenna, plan.band.wavelength_m())?;
-            BeamTree::trace_along(&world, antenna, &plan.trace, ways, plan.progress)
+            check_antenna_position(&world, antenna, plan.band.wavelength_m())?;
+            BeamTree::trace_sequences(&world, antenna, &plan.trace, ways, plan.progress)
         };
         let (tree, apart) = of_ends(ends_m, traced)?;
-        Ok(Snapshot::heard_at(world, tree, apart))
+        Ok(Snapshot::with_trees(world, tree, apart))
     }
 
     /// The same scene with more bytes held.
-    pub(crate) fn beside(&self, bytes: u64) -> Self {
+    pub(crate) fn with_held_bytes(&self, bytes: u64) -> Self {
         Self { held_bytes: self.held_bytes + bytes, ..*self }
     }
 
@@ -119,17 +119,17 @@ fn moves(pose: &Pose) -> bool {
 impl Snapshot {
     /// Beams of a world with transmitter and receiver at one place.
     pub(crate) fn of(world: World, tree: BeamTree) -> Self {
-        Self::heard_at(world, tree, None)
+        Self::with_trees(world, tree, None)
     }
 
     /// Beams of a world, and those of a receiver at another place than the transmitter.
-    fn heard_at(world: World, tree: BeamTree, apart: Option<BeamTree>) -> Self {
+    fn with_trees(world: World, tree: BeamTree, apart: Option<BeamTree>) -> Self {
         let is_over_road = world.road().is_some();
         let arriving = match apart {
-            None if is_over_road => Arriving::WithImage(Received::with_image(&world, &tree)),
-            None => Arriving::AsSent,
-            Some(apart) if is_over_road => Arriving::Apart(Received::with_image(&world, &apart).tree),
-            Some(apart) => Arriving::Apart(apart),
+            None if is_over_road => ReceiverBeams::WithImage(RoadTree::with_image(&world, &tree)),
+            None => ReceiverBeams::AsSent,
+            Some(apart) if is_over_road => ReceiverBeams::Apart(RoadTree::with_image(&world, &apart).tree),
+            Some(apart) => ReceiverBeams::Apart(apart),
         };
         Self { world, tree, arriving }
     }
@@ -138,15 +138,15 @@ impl Snapshot {
         let h = plan.zenith_h();
         let zenith_h = ZenithH { transmit: h, receive: h };
         Scatterer::new(&self.world, self.trees(), zenith_h)
-            .heard_by(phase, plan.progress)
+            .with_progress(phase, plan.progress)
             .with_gains(&plan.gains)
     }
 
     fn trees(&self) -> Trees<'_> {
         match &self.arriving {
-            Arriving::AsSent => Trees::Shared(&self.tree),
-            Arriving::WithImage(received) => Trees::ByRoad(&self.tree, received),
-            Arriving::Apart(apart) => Trees::Apart(&self.tree, apart),
+            ReceiverBeams::AsSent => Trees::Shared(&self.tree),
+            ReceiverBeams::WithImage(received) => Trees::ByRoad(&self.tree, received),
+            ReceiverBeams::Apart(apart) => Trees::Apart(&self.tree, apart),
         }
     }
 

@@ -29,21 +29,21 @@ use num_complex::Complex64;
 
 /// A polygon's parts about the point where its phase is stationary and far from it, all convex.
 #[derive(Debug, Default)]
-pub(crate) struct Parted {
+pub(crate) struct SplitPolygon {
     pub(crate) near: Vec<Vec<DVec2>>,
-    pub(crate) far: Vec<FarPart>,
+    pub(crate) far: Vec<FarPolygon>,
 }
 
 /// A part that is told by terms of its corners and sides.
 #[derive(Debug)]
-pub(crate) struct FarPart {
+pub(crate) struct FarPolygon {
     corners_m: Vec<DVec2>,
     variation: Variation,
 }
 
 /// A term of a far part.
 #[derive(Debug)]
-pub(crate) struct CriticalPart {
+pub(crate) struct CriticalPoint {
     /// Its node: a corner, or the middle of a piece of a side.
     pub(crate) at_m: DVec3,
     /// Length of the side that it stands for; zero of a corner.
@@ -130,8 +130,12 @@ impl Field<'_> {
 
     /// The part of a polygon about the stationary point, and the parts where terms of corners and sides tell
     /// the integral to the field's accuracy; all of a bent one is near.
-    pub(crate) fn parted(&self, corners_m: &[DVec2], wavenumber_per_m: f64) -> Parted {
-        let all_near = || Parted { near: vec![corners_m.to_vec()], far: vec![] };
+    pub(crate) fn split_about_stationary_point(
+        &self,
+        corners_m: &[DVec2],
+        wavenumber_per_m: f64,
+    ) -> SplitPolygon {
+        let all_near = || SplitPolygon { near: vec![corners_m.to_vec()], far: vec![] };
         let Some(heights_m) = heights_m(self).filter(|_| !self.is_bent()) else { return all_near() };
         let variation_over = |part: &[DVec2]| Variation::over(self, part, heights_m, wavenumber_per_m);
         let Some(variation) = variation_over(corners_m) else { return all_near() };
@@ -140,11 +144,11 @@ impl Field<'_> {
         let least = variation.least_gradient(1.0);
         let Some(radius_m) = self.radius_m(stationary_m, least, farthest_m) else { return all_near() };
         let [about, around] = cut_about(corners_m, stationary_m, radius_m);
-        let mut parted = Parted { near: about, far: vec![] };
+        let mut parted = SplitPolygon { near: about, far: vec![] };
         for part in around {
             // The disc about a long strip may reach to where that of the whole does not.
             match variation_over(&part) {
-                Some(variation) => parted.far.push(FarPart { corners_m: distinct(&part), variation }),
+                Some(variation) => parted.far.push(FarPolygon { corners_m: distinct(&part), variation }),
                 None => parted.near.push(part),
             }
         }
@@ -168,10 +172,10 @@ impl Field<'_> {
     }
 
     /// Number of terms and cells of some size that a polygon takes.
-    pub(crate) fn count_parted(&self, corners_m: &[DVec2], size_m: f64, wavenumber_per_m: f64) -> f64 {
-        let Parted { near, far } = self.parted(corners_m, wavenumber_per_m);
+    pub(crate) fn count_split(&self, corners_m: &[DVec2], size_m: f64, wavenumber_per_m: f64) -> f64 {
+        let SplitPolygon { near, far } = self.split_about_stationary_point(corners_m, wavenumber_per_m);
         let of_near = |polygon: &Vec<DVec2>| (area_m2(polygon) / (size_m * size_m)).max(1.0);
-        let of_far = |FarPart { corners_m, variation }: &FarPart| {
+        let of_far = |FarPolygon { corners_m, variation }: &FarPolygon| {
             let of_side = |side: PolygonSide| {
                 let [from, to] = self.slow_span_m(&side, variation);
                 ((to - from) / size_m).ceil()
@@ -184,10 +188,10 @@ impl Field<'_> {
     /// Calls `give` with the terms of a far part; pieces of sides are no longer than `size_m`.
     pub(crate) fn for_each_critical_part(
         &self,
-        FarPart { corners_m, variation }: &FarPart,
+        FarPolygon { corners_m, variation }: &FarPolygon,
         size_m: f64,
         wavenumbers_per_m: &[f64],
-        give: &mut dyn FnMut(CriticalPart),
+        give: &mut dyn FnMut(CriticalPoint),
     ) {
         let mut of_corners = vec![0.0; corners_m.len()];
         for (index, side) in sides(corners_m).enumerate() {
@@ -251,7 +255,7 @@ impl Field<'_> {
         [from_m, to_m]
     }
 
-    fn corner(&self, at_m: DVec2, term: f64, wavenumbers_per_m: &[f64], allowed: f64) -> CriticalPart {
+    fn corner(&self, at_m: DVec2, term: f64, wavenumbers_per_m: &[f64], allowed: f64) -> CriticalPoint {
         let integrals_m2: Vec<[Complex64; 2]> =
             wavenumbers_per_m.iter().map(|k| [Complex64::from(0.5 * term / (k * k)); 2]).collect();
         self.critical_part(at_m, 0.0, [at_m; 2], wavenumbers_per_m, &integrals_m2, allowed)
@@ -264,7 +268,7 @@ impl Field<'_> {
         [from_m, to_m]: [f64; 2],
         wavenumbers_per_m: &[f64],
         variation: &Variation,
-    ) -> CriticalPart {
+    ) -> CriticalPoint {
         let (length_m, middle_m) = (to_m - from_m, side.at(0.5 * (from_m + to_m)));
         let at_middle_m = self.length_m(self.frame.to_world(middle_m));
         let count = (length_m / variation.longest_m()).ceil().max(1.0);
@@ -306,13 +310,13 @@ impl Field<'_> {
         wavenumbers_per_m: &[f64],
         integrals_m2: &[[Complex64; 2]],
         allowed: f64,
-    ) -> CriticalPart {
+    ) -> CriticalPoint {
         let at_m = self.frame.to_world(at_m);
         let of_node = Field::new(self.node, at_m, self.accuracy);
         let points = points_m.map(|point_m| of_node.surface_about(self.frame.to_world(point_m)));
         let value = of_node.amplitudes_of(&points, wavenumbers_per_m, integrals_m2);
         let largest = value.iter().flatten().flatten().map(|a| a.norm()).fold(0.0, f64::max);
-        CriticalPart { at_m, length_m, amplitudes: Estimate { value, error: allowed * largest } }
+        CriticalPoint { at_m, length_m, amplitudes: Estimate { value, error: allowed * largest } }
     }
 }
 
@@ -396,9 +400,9 @@ fn cut_about(corners_m: &[DVec2], centre_m: DVec2, half_m: f64) -> [Vec<Vec<DVec
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::integral::leg_surfaces::LegSurfaces;
     use crate::integral::node::{Bracket, Leg, Node};
     use crate::integral::polarization::Mirrors;
-    use crate::integral::steps::Steps;
     use crate::integral::test_quadrature::gauss_legendre;
 
     const WAVENUMBER_PER_M: f64 = std::f64::consts::TAU * 77e9 / artifact::units::SPEED_OF_LIGHT_MPS;
@@ -407,7 +411,7 @@ mod tests {
         Leg {
             image: Antenna::Point(DVec3::from_array(antenna_m)),
             mirrors: Mirrors::NONE,
-            steps: Steps::default(),
+            steps: LegSurfaces::default(),
             zenith_h: DVec3::Y,
         }
     }
@@ -447,7 +451,7 @@ mod tests {
                 let field = Field::new(node, DVec3::ZERO, accuracy);
                 let polygon: Vec<DVec2> =
                     node.corners_m.iter().map(|c| field.frame.plane_from_world(*c)).collect();
-                let parted = field.parted(&polygon, WAVENUMBER_PER_M);
+                let parted = field.split_about_stationary_point(&polygon, WAVENUMBER_PER_M);
                 let (mut terms, mut strongest) = (0, 0.0_f64);
                 let mut sum = Complex64::ZERO;
                 for far in &parted.far {
@@ -533,14 +537,17 @@ mod tests {
         overhead.with_node(|node| {
             let field = Field::new(node, DVec3::ZERO, 1e-2);
             let polygon = [DVec2::ZERO, DVec2::X, DVec2::Y];
-            assert!(field.parted(&polygon, WAVENUMBER_PER_M).far.is_empty());
+            assert!(field.split_about_stationary_point(&polygon, WAVENUMBER_PER_M).far.is_empty());
         });
         let far = Leg { image: Antenna::Direction(DVec3::new(0.8, 0.6, 0.0)), ..leg([1.0, 0.0, 0.0]) };
         CASES[0].with_node(|node| {
             let node = Node { transmit: &far, receive: &far, ..*node };
             let field = Field::new(&node, DVec3::ZERO, 1e-2);
             let polygon = [DVec2::ZERO, DVec2::X, DVec2::Y];
-            assert_eq!(field.parted(&polygon, WAVENUMBER_PER_M).near, [polygon.to_vec()]);
+            assert_eq!(
+                field.split_about_stationary_point(&polygon, WAVENUMBER_PER_M).near,
+                [polygon.to_vec()]
+            );
         });
     }
 }

@@ -4,7 +4,7 @@ use crate::geometry::antenna::Antenna;
 use crate::geometry::plane_frame::PlaneFrame;
 use crate::integral::node::{Leg, Node};
 use crate::materials::surface_response::{steepness, turning};
-use crate::surface::bend::Along;
+use crate::surface::bend::SkinVariation;
 use glam::{DVec2, DVec3};
 
 /// Difference |x − p| − |y − p| without the cancellation of two long lengths.
@@ -65,10 +65,10 @@ impl<'a> Field<'a> {
     }
 
     /// Height of the skin along several steps in the polygon's plane; empty if it is flat.
-    pub(crate) fn along(&self, steps_m: impl Iterator<Item = DVec2>) -> Along {
+    pub(crate) fn along(&self, steps_m: impl Iterator<Item = DVec2>) -> SkinVariation {
         let origin = self.frame.to_world(DVec2::ZERO);
         let in_world = steps_m.map(|step| self.frame.to_world(step) - origin);
-        self.node.bend.as_ref().map_or_else(Along::default, |bend| bend.along(in_world))
+        self.node.bend.as_ref().map_or_else(SkinVariation::default, |bend| bend.along(in_world))
     }
 
     /// Values for both legs, the transmitter's first; if both legs are the same it is evaluated once.

@@ -82,7 +82,7 @@ impl Field<'_> {
         &self,
         points: &[SurfacePoint; N],
         wavenumbers_per_m: &[f64],
-    ) -> OverBand<N> {
+    ) -> BandWeights<N> {
         let of = |k: &f64| points.map(|at| self.lossy_weight(&at, *k));
         let few = middle_and_half(wavenumbers_per_m).and_then(|(middle, half)| {
             let error = (WEIGHTS_ERROR * self.accuracy).max(f64::EPSILON);
@@ -91,7 +91,7 @@ impl Field<'_> {
             count.map(|count| Chebyshev::over(middle, half, count))
         });
         let wavenumbers_per_m = few.as_ref().map_or(wavenumbers_per_m, |few| &few.nodes_per_m);
-        OverBand { samples: wavenumbers_per_m.iter().map(of).collect(), few }
+        BandWeights { samples: wavenumbers_per_m.iter().map(of).collect(), few }
     }
 
     /// Additional length, m, by which layers on the path rotate the phase with frequency beyond the path
@@ -133,7 +133,7 @@ impl Field<'_> {
 
     /// Bracket from one end to the other, each with its direction of travel and its fields: [at the other][at
     /// the one].
-    fn bracket(&self, normal: DVec3, from: End, to: End, wavenumber_per_m: f64) -> Weights {
+    fn bracket(&self, normal: DVec3, from: LegField, to: LegField, wavenumber_per_m: f64) -> Weights {
         const PAIRS: [(usize, usize); 4] = [(0, 0), (0, 1), (1, 0), (1, 1)];
         let Some(material) = self.node.material else {
             let (along, across) = (to.1.map(|e| e.along(from.0)), from.1.map(|e| e.along(normal)));
@@ -146,20 +146,20 @@ impl Field<'_> {
 }
 
 /// Direction of travel, and the fields for v and h.
-type End = (DVec3, [ComplexVector; 2]);
+type LegField = (DVec3, [ComplexVector; 2]);
 
 /// Share of the requested accuracy: weights are interpolated inside what [`crate::joins::band`] interpolates
 /// again.
 const WEIGHTS_ERROR: f64 = 1e-3;
 
 /// Weights of N points over a band.
-struct OverBand<const N: usize> {
+struct BandWeights<const N: usize> {
     samples: Vec<[Weights; N]>,
     /// Points at which they were evaluated; `None` if at every wavenumber.
     few: Option<Chebyshev>,
 }
 
-impl<const N: usize> OverBand<N> {
+impl<const N: usize> BandWeights<N> {
     /// Weights at a wavenumber, the one at index `place` of those requested.
     fn at(&self, wavenumber_per_m: f64, place: usize) -> [Weights; N] {
         let Some(few) = &self.few else { return self.samples[place] };
@@ -172,7 +172,12 @@ impl<const N: usize> OverBand<N> {
     }
 }
 
-fn surface_currents(material: &Material, n: DVec3, (travel, e): End, wavenumber_per_m: f64) -> [Current; 2] {
+fn surface_currents(
+    material: &Material,
+    n: DVec3,
+    (travel, e): LegField,
+    wavenumber_per_m: f64,
+) -> [Current; 2] {
     let r = reflection(material, n.dot(travel).abs(), wavenumber_per_m);
     let reflected = reflected_fields(e, travel, n, r);
     let onwards = travel - 2.0 * n.dot(travel) * n;

@@ -2,8 +2,8 @@
 
 use crate::geometry::antenna::Antenna;
 use crate::geometry::clip::doubled_area;
+use crate::integral::leg_surfaces::LegSurfaces;
 use crate::integral::polarization::{Mirrors, polarization_vectors};
-use crate::integral::steps::Steps;
 use crate::surface::bend::Bend;
 use artifact::material::Material;
 use glam::DVec3;
@@ -24,7 +24,7 @@ pub(crate) struct Leg {
     /// The facets between as perfect mirrors.
     pub(crate) mirrors: Mirrors,
     /// Materials of these facets and of the sheets between, where they matter.
-    pub(crate) steps: Steps,
+    pub(crate) steps: LegSurfaces,
     /// Vector ĥ straight above and below.
     pub(crate) zenith_h: DVec3,
 }

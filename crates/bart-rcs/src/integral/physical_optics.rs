@@ -10,8 +10,8 @@
 
 use crate::integral::field::{Field, SurfacePoint};
 use crate::integral::node::{Bracket, Estimate, Node};
+use crate::integral::phasors::WAVENUMBERS_PER_BATCH;
 use crate::integral::tiling::{self, Tile};
-use crate::integral::turns::TOGETHER;
 use artifact::paths::Amplitude;
 use glam::{DVec2, DVec3};
 use num_complex::Complex64;
@@ -132,11 +132,11 @@ impl Field<'_> {
         give: &mut dyn FnMut(usize, &Amplitude),
     ) {
         // A few wavenumbers at a time need no heap memory.
-        for (chunk, some) in wavenumbers_per_m.chunks(TOGETHER).enumerate() {
-            let mut sums = [[Complex64::ZERO; 4]; TOGETHER];
+        for (chunk, some) in wavenumbers_per_m.chunks(WAVENUMBERS_PER_BATCH).enumerate() {
+            let mut sums = [[Complex64::ZERO; 4]; WAVENUMBERS_PER_BATCH];
             self.add(tile, some, &mut sums[..some.len()]);
             for (i, (sum, k)) in sums.iter().zip(some).enumerate() {
-                give(chunk * TOGETHER + i, &amplitude_of(sum, *k));
+                give(chunk * WAVENUMBERS_PER_BATCH + i, &amplitude_of(sum, *k));
             }
         }
     }
@@ -184,9 +184,9 @@ impl Field<'_> {
 mod tests {
     use super::*;
     use crate::geometry::antenna::Antenna;
+    use crate::integral::leg_surfaces::LegSurfaces;
     use crate::integral::node::Leg;
     use crate::integral::polarization::Mirrors;
-    use crate::integral::steps::Steps;
     use crate::integral::test_quadrature::gauss_legendre;
     use artifact::units::SPEED_OF_LIGHT_MPS;
 
@@ -290,7 +290,7 @@ mod tests {
         Leg {
             image: Antenna::Point(antenna_m),
             mirrors: Mirrors::NONE,
-            steps: Steps::default(),
+            steps: LegSurfaces::default(),
             zenith_h: DVec3::Y,
         }
     }

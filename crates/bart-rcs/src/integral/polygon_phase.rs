@@ -1,7 +1,7 @@
 //! Closed forms of the integral of a phase over a flat convex polygon.
 
 use crate::integral::divided_difference::{DividedDifferences, second_moments};
-use crate::integral::turns::{SHORT, TOGETHER, Turns, short_sinc, short_turn, turns};
+use crate::integral::phasors::{Phasors, SHORT, WAVENUMBERS_PER_BATCH, phasors, short_phasor, short_sinc};
 use glam::DVec2;
 use num_complex::Complex64;
 
@@ -11,8 +11,8 @@ use num_complex::Complex64;
 /// loses more, by its aspect ratio.)
 const SERIES_BELOW: f64 = 1e-2;
 
-/// Integral I = ∫_P e^{−jkg·x} dA at the first [`TOGETHER`] of the wavenumbers k, P the convex polygon
-/// `corners_m`, counter-clockwise, and g the `gradient` of a length.
+/// Integral I = ∫_P e^{−jkg·x} dA at the first [`WAVENUMBERS_PER_BATCH`] of the wavenumbers k, P the convex
+/// polygon `corners_m`, counter-clockwise, and g the `gradient` of a length.
 ///
 /// Gordon (1975): Stokes' theorem turns the integral into a sum over edges, with w = −kg I = (−j/|w|²) Σ
 /// (w·(e × n)) ∫₀¹ e^{jw·(a + te)} dt with edges e from corners a. An edge along the wavefront needs no
@@ -23,7 +23,7 @@ pub(crate) fn linear_phase_integrals(
     corners_m: &[DVec2],
     gradient: DVec2,
     wavenumbers_per_m: &[f64],
-) -> Turns {
+) -> Phasors {
     let width = gradient.length() * width_m(corners_m);
     let mut integrals_m2 = gordon(corners_m, gradient, wavenumbers_per_m);
     for (integral, k) in
@@ -36,7 +36,7 @@ pub(crate) fn linear_phase_integrals(
 
 /// Weights W of the six values of a function g at a triangle's corners and edge midpoints (opposite to the
 /// corners) such that ∫ g e^{jφ} dA = A Σ W_i g_i, exactly for every g of second degree; `phases` are those
-/// of the linear φ at the corners, `turns` their e^{jφ}.
+/// of the linear φ at the corners, `phasors` their e^{jφ}.
 ///
 /// With g in Bernstein form (corner values, and 2g(midpoint) minus the mean of the two corners) each term is
 /// one divided difference with five points.
@@ -49,17 +49,17 @@ pub(crate) fn six_point_weights(phases: [f64; 3], turns: [Complex64; 3]) -> [Com
     [corner(0), corner(1), corner(2), middle(0), middle(1), middle(2)]
 }
 
-fn gordon(corners_m: &[DVec2], gradient: DVec2, wavenumbers_per_m: &[f64]) -> Turns {
-    let mut sums = [Complex64::ZERO; TOGETHER];
+fn gordon(corners_m: &[DVec2], gradient: DVec2, wavenumbers_per_m: &[f64]) -> Phasors {
+    let mut sums = [Complex64::ZERO; WAVENUMBERS_PER_BATCH];
     let first_m = gradient.dot(corners_m[0]);
-    let first = turns(first_m, wavenumbers_per_m);
+    let first = phasors(first_m, wavenumbers_per_m);
     let (mut from_m, mut from) = (first_m, first);
     for (i, (start, end)) in edges(corners_m).enumerate() {
         let last = i + 1 == corners_m.len();
         let to_m = if last { first_m } else { gradient.dot(end) };
-        let to = if last { first } else { turns(to_m, wavenumbers_per_m) };
+        let to = if last { first } else { phasors(to_m, wavenumbers_per_m) };
         let flux_m = gradient.perp_dot(end - start);
-        for (n, k) in wavenumbers_per_m.iter().take(TOGETHER).enumerate() {
+        for (n, k) in wavenumbers_per_m.iter().take(WAVENUMBERS_PER_BATCH).enumerate() {
             sums[n] += flux_m * along_edge(k * (from_m - to_m), from[n], to[n]);
         }
         (from_m, from) = (to_m, to);
@@ -74,7 +74,7 @@ fn gordon(corners_m: &[DVec2], gradient: DVec2, wavenumbers_per_m: &[f64]) -> Tu
 fn along_edge(further: f64, from: Complex64, to: Complex64) -> Complex64 {
     let half = 0.5 * further;
     if half.abs() <= SHORT {
-        from * short_turn(half) * short_sinc(half)
+        from * short_phasor(half) * short_sinc(half)
     } else {
         let difference = to - from;
         Complex64::new(difference.im, -difference.re) / further

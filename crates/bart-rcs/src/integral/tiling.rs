@@ -3,7 +3,7 @@
 use crate::geometry::antenna::Antenna;
 use crate::geometry::plane_frame::{area_m2, centroid_m};
 use crate::integral::field::Field;
-use crate::surface::bend::Along;
+use crate::surface::bend::SkinVariation;
 use glam::{DMat2, DVec2, DVec3};
 use std::ops::ControlFlow;
 
@@ -146,7 +146,13 @@ struct Smoothness {
 }
 
 impl Smoothness {
-    fn about(field: &Field<'_>, centre_m: DVec2, reach_m: f64, along: Along, wavenumber_per_m: f64) -> Self {
+    fn about(
+        field: &Field<'_>,
+        centre_m: DVec2,
+        reach_m: f64,
+        along: SkinVariation,
+        wavenumber_per_m: f64,
+    ) -> Self {
         let at = field.surface_at(centre_m);
         let x_m = at.x_m;
         let ranges_m = field.ranges_m(x_m);

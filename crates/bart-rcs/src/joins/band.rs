@@ -9,7 +9,7 @@
 
 use crate::integral::chebyshev::{Chebyshev, middle_and_half, turn_in_ellipse_rad, turn_of_exponentials_rad};
 use crate::joins::group::Group;
-use crate::joins::scatterer::{Way, sum};
+use crate::joins::scatterer::{PathLengthRange, sum};
 use artifact::paths::Amplitude;
 use num_complex::Complex64;
 use rayon::prelude::*;
@@ -19,12 +19,12 @@ use std::collections::btree_map::Entry;
 /// Frequencies at which S is requested, and the few at which it is evaluated instead.
 pub(crate) struct Band<'a> {
     wavenumbers_per_m: &'a [f64],
-    classes: Vec<Class>,
+    classes: Vec<InterpolationClass>,
 }
 
 /// Kind of a contribution to S, by its behaviour without the phase rotation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum ContributionKind {
     /// Integrals over facets: k times a sum of exponentials whose magnitudes add up to the maximum
     /// contribution.
     Facets,
@@ -35,7 +35,7 @@ pub(crate) enum Kind {
 }
 
 /// Sums by group, in the order of the groups.
-pub(crate) type Groups = BTreeMap<GroupOfShare, Vec<Amplitude>>;
+pub(crate) type Groups = BTreeMap<GroupKey, Vec<Amplitude>>;
 
 /// Numbers of points of the classes. At finite range tiles are a few centimetres long and need less than ten;
 /// for a plane wave the side of a lorry is one tile. Contributions beyond the last class are integrated at
@@ -46,7 +46,7 @@ const POINTS: [usize; 15] = [2, 3, 4, 5, 6, 7, 8, 10, 12, 16, 20, 24, 32, 48, 64
 pub(crate) const INTERPOLATION_ERROR: f64 = 0.003;
 
 /// Groups with the same limit on phase rotation.
-struct Class {
+struct InterpolationClass {
     /// Maximum difference between the length of a member, or of a point on it, and the group's, m.
     reach_m: f64,
     /// Wavenumbers of the nodes over the band.
@@ -60,7 +60,7 @@ struct Class {
 
 /// Group of a contribution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) struct GroupOfShare {
+pub(crate) struct GroupKey {
     class: usize,
     /// Bin of its length, in units of the class's reach.
     bin: i64,
@@ -69,7 +69,7 @@ pub(crate) struct GroupOfShare {
 impl<'a> Band<'a> {
     /// Band of these wavenumbers; `None` if there are too few frequencies to save any; `error` is the
     /// relative interpolation error.
-    pub(crate) fn new(wavenumbers_per_m: &'a [f64], error: f64, kind: Kind) -> Option<Self> {
+    pub(crate) fn new(wavenumbers_per_m: &'a [f64], error: f64, kind: ContributionKind) -> Option<Self> {
         let classes = classes(wavenumbers_per_m, error.max(f64::EPSILON), kind);
         (!classes.is_empty()).then_some(Self { wavenumbers_per_m, classes })
     }
@@ -81,7 +81,7 @@ impl<'a> Band<'a> {
 
     /// Group to which a contribution belongs; one that fits no class goes to the group after all classes, at
     /// every frequency.
-    pub(crate) fn group<'g>(&'g self, way: Way, groups: &'g mut Groups) -> Group<'g> {
+    pub(crate) fn group<'g>(&'g self, way: PathLengthRange, groups: &'g mut Groups) -> Group<'g> {
         // Half a reach for the distance from the group's length to that of the contribution, half for its own
         // extent.
         let class = self.classes.iter().position(|class| way.extent_m <= 0.5 * class.reach_m);
@@ -113,8 +113,8 @@ impl<'a> Band<'a> {
     /// Merges a group into one of a wider class.
     fn gather(
         &self,
-        class: &Class,
-        place: GroupOfShare,
+        class: &InterpolationClass,
+        place: GroupKey,
         wider: usize,
         samples: &[Amplitude],
         groups: &mut Groups,
@@ -127,35 +127,35 @@ impl<'a> Band<'a> {
         add_to_group(groups, into, share);
     }
 
-    fn at_all(&self, class: &Class, place: GroupOfShare, samples: &[Amplitude]) -> Vec<Amplitude> {
+    fn at_all(&self, class: &InterpolationClass, place: GroupKey, samples: &[Amplitude]) -> Vec<Amplitude> {
         let length_m = self.length_m(place);
         let at = class.shares.iter().zip(self.wavenumbers_per_m);
         at.map(|(shares, k)| turned(&interpolated(shares, samples), -k * length_m)).collect()
     }
 
-    fn place(&self, class: usize, length_m: f64) -> GroupOfShare {
-        GroupOfShare { class, bin: (length_m / self.classes[class].reach_m).round() as i64 }
+    fn place(&self, class: usize, length_m: f64) -> GroupKey {
+        GroupKey { class, bin: (length_m / self.classes[class].reach_m).round() as i64 }
     }
 
-    fn behind(&self) -> GroupOfShare {
-        GroupOfShare { class: self.classes.len(), bin: 0 }
+    fn behind(&self) -> GroupKey {
+        GroupKey { class: self.classes.len(), bin: 0 }
     }
 
-    fn length_m(&self, place: GroupOfShare) -> f64 {
+    fn length_m(&self, place: GroupKey) -> f64 {
         self.classes.get(place.class).map_or(0.0, |class| place.bin as f64 * class.reach_m)
     }
 }
 
 /// Classes with at most half as many points as there are frequencies, the one with fewest points first.
-fn classes(wavenumbers_per_m: &[f64], error: f64, kind: Kind) -> Vec<Class> {
+fn classes(wavenumbers_per_m: &[f64], error: f64, kind: ContributionKind) -> Vec<InterpolationClass> {
     let Some((middle, half)) = middle_and_half(wavenumbers_per_m) else { return Vec::new() };
     let counts = POINTS.into_iter().filter(|count| 2 * *count <= wavenumbers_per_m.len());
     let all: Vec<(f64, Chebyshev)> = counts
         .map(|count| match kind {
-            Kind::Facets => {
+            ContributionKind::Facets => {
                 (turn_of_exponentials_rad(count, error) / half, Chebyshev::of_first_kind(middle, half, count))
             }
-            Kind::Edges => {
+            ContributionKind::Edges => {
                 // Ellipse that touches k = 0.
                 let most = middle / half + (middle * middle / (half * half) - 1.0).sqrt();
                 (turn_in_ellipse_rad(count, most, error) / half, Chebyshev::over(middle, half, count))
@@ -168,18 +168,21 @@ fn classes(wavenumbers_per_m: &[f64], error: f64, kind: Kind) -> Vec<Class> {
         let wider = (i + 1..all.len()).find(|&j| all[j].0 >= 2.0 * reach_m);
         let at = wider.map_or(wavenumbers_per_m, |j| &all[j].1.nodes_per_m);
         let shares = at.iter().map(|k| shares(points, *k, kind)).collect();
-        Class { reach_m: *reach_m, nodes_per_m: points.nodes_per_m.clone(), wider, shares }
+        InterpolationClass { reach_m: *reach_m, nodes_per_m: points.nodes_per_m.clone(), wider, shares }
     };
     all.iter().enumerate().map(class).collect()
 }
 
 /// Weight of every node for the value at a wavenumber; for facets, k times the polynomial through their
 /// values over k.
-fn shares(points: &Chebyshev, wavenumber_per_m: f64, kind: Kind) -> Vec<f64> {
+fn shares(points: &Chebyshev, wavenumber_per_m: f64, kind: ContributionKind) -> Vec<f64> {
     let mut shares = vec![0.0; points.nodes_per_m.len()];
     points.shares(wavenumber_per_m, |i, share| {
-        shares[i] =
-            if kind == Kind::Facets { share * wavenumber_per_m / points.nodes_per_m[i] } else { share };
+        shares[i] = if kind == ContributionKind::Facets {
+            share * wavenumber_per_m / points.nodes_per_m[i]
+        } else {
+            share
+        };
     });
     shares
 }
@@ -194,7 +197,7 @@ fn turned(a: &Amplitude, phase_rad: f64) -> Amplitude {
     a.map(|row| row.map(|x| x * factor))
 }
 
-fn add_to_group(groups: &mut Groups, place: GroupOfShare, share: Vec<Amplitude>) {
+fn add_to_group(groups: &mut Groups, place: GroupKey, share: Vec<Amplitude>) {
     match groups.entry(place) {
         Entry::Vacant(empty) => _ = empty.insert(share),
         Entry::Occupied(mut sum) => add(sum.get_mut(), &share),
@@ -232,7 +235,7 @@ mod tests {
 
     #[test]
     fn few_frequencies_or_one_are_taken_one_by_one() {
-        for kind in [Kind::Facets, Kind::Edges] {
+        for kind in [ContributionKind::Facets, ContributionKind::Edges] {
             let classes = |wavenumbers_per_m: &[f64]| classes(wavenumbers_per_m, 1e-6, kind);
             assert!(
                 classes(&[]).is_empty()

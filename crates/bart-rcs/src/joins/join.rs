@@ -14,13 +14,13 @@
 //! road, whose mirror contains the reverse path.
 
 use crate::beams::beam::{Beam, BeamTree};
-use crate::beams::sight::shadow::LitSide;
+use crate::beams::occlusion::shadow::LitSide;
 use crate::bodies::world::World;
 use crate::geometry::border::BorderLine;
 use crate::geometry::convex_intersection::{bounds, intersection};
 use crate::geometry::plane_frame::{PlaneFrame, area_m2};
 use crate::joins::joint::{Joints, Reverse, SideOfJoint, Trees};
-use crate::joins::outline::{Bordered, Outline};
+use crate::joins::outline::{BorderedPolygon, Outline};
 use crate::joins::own_edge::weigh;
 use artifact::settings::NodeRule;
 use glam::{DVec2, DVec3};
@@ -78,7 +78,7 @@ pub(crate) fn tree_order(bounces: u8, rule: NodeRule) -> u8 {
 }
 
 /// One row of the table above.
-struct Meeting {
+struct BeamOrders {
     orders: [u8; 2],
     weight: f64,
     pairs: BeamPairs,
@@ -95,10 +95,10 @@ enum BeamPairs {
     Unordered,
 }
 
-fn meetings(trees: Trees<'_>, order: u8, rule: NodeRule) -> Vec<Meeting> {
+fn meetings(trees: Trees<'_>, order: u8, rule: NodeRule) -> Vec<BeamOrders> {
     let half = order / 2;
     let place = if matches!(trees, Trees::Apart(..)) { EndPlaces::Apart } else { EndPlaces::Shared };
-    let with = |orders: [u8; 2], pairs: BeamPairs| Meeting { orders, weight: 1.0, pairs };
+    let with = |orders: [u8; 2], pairs: BeamPairs| BeamOrders { orders, weight: 1.0, pairs };
     match (rule, order % 2, place) {
         (NodeRule::OwnEdge, _, EndPlaces::Apart) => {
             (1..=order).map(|m| with([m, order + 1 - m], BeamPairs::Ordered)).collect()
@@ -115,19 +115,19 @@ fn meetings(trees: Trees<'_>, order: u8, rule: NodeRule) -> Vec<Meeting> {
         // Its bracket is not reciprocal: with a road even for one bounce the reverse does not have the
         // transposed amplitude.
         (NodeRule::Exit, ..) if order != 1 || matches!(trees, Trees::ByRoad(..)) => {
-            vec![Meeting { orders: [order, 1], weight: 1.0, pairs: BeamPairs::Ordered }]
+            vec![BeamOrders { orders: [order, 1], weight: 1.0, pairs: BeamPairs::Ordered }]
         }
         (_, 1, EndPlaces::Shared) => {
-            vec![Meeting { orders: [half + 1; 2], weight: 1.0, pairs: BeamPairs::Unordered }]
+            vec![BeamOrders { orders: [half + 1; 2], weight: 1.0, pairs: BeamPairs::Unordered }]
         }
         (_, 1, EndPlaces::Apart) => {
-            vec![Meeting { orders: [half + 1; 2], weight: 1.0, pairs: BeamPairs::Ordered }]
+            vec![BeamOrders { orders: [half + 1; 2], weight: 1.0, pairs: BeamPairs::Ordered }]
         }
         (_, _, EndPlaces::Shared) => {
-            vec![Meeting { orders: [half + 1, half], weight: 0.5, pairs: BeamPairs::WithReverse }]
+            vec![BeamOrders { orders: [half + 1, half], weight: 0.5, pairs: BeamPairs::WithReverse }]
         }
         (_, _, EndPlaces::Apart) => [[half + 1, half], [half, half + 1]]
-            .map(|orders| Meeting { orders, weight: 0.5, pairs: BeamPairs::Ordered })
+            .map(|orders| BeamOrders { orders, weight: 0.5, pairs: BeamPairs::Ordered })
             .into(),
     }
 }
@@ -177,7 +177,7 @@ impl ByFacet {
 
 fn on_one_facet(
     trees: Trees<'_>,
-    meeting: &Meeting,
+    meeting: &BeamOrders,
     frame: &PlaneFrame,
     beams: [&[(u32, u32)]; 2],
     limits: Limits,
@@ -211,7 +211,8 @@ fn on_one_facet(
         let area = area_m2(&part);
         if area < limits.least_area_m2 || part.is_empty() {
             let both_ways = if reverse == Reverse::Included { 2.0 * area } else { area };
-            joints.given_up = [joints.given_up[0] + both_ways, joints.given_up[1] + both_ways.powi(2)];
+            joints.dropped_sections =
+                [joints.dropped_sections[0] + both_ways, joints.dropped_sections[1] + both_ways.powi(2)];
             continue;
         }
         if let Some(one_line_m) = limits.one_line_m {
@@ -257,8 +258,8 @@ impl Footprint {
         Self { beam: index, bounds_m: bounds(&corners_m), corners_m, borders, side }
     }
 
-    fn bordered(&self) -> Bordered<'_> {
-        Bordered { corners_m: &self.corners_m, borders: &self.borders }
+    fn bordered(&self) -> BorderedPolygon<'_> {
+        BorderedPolygon { corners_m: &self.corners_m, borders: &self.borders }
     }
 
     /// Corners around the facet's normal, transformed into the world and ordered around the lit normal.

@@ -1,11 +1,11 @@
 //! Joints: polygons lit by a beam from either end, and the trees of these beams.
 
 use crate::beams::beam::BeamTree;
-use crate::beams::image_tree::Received;
+use crate::beams::image_tree::RoadTree;
 use crate::geometry::border::BorderLine;
 use crate::joins::outline::Outline;
-use crate::joins::parting::Parting;
 use crate::joins::shadow_sides::ShadowSide;
+use crate::joins::specular_separation::SpecularSeparation;
 use glam::DVec3;
 use std::ops::Range;
 
@@ -17,7 +17,7 @@ pub(crate) enum Trees<'a> {
     /// Transmitter and receiver at different places.
     Apart(&'a BeamTree, &'a BeamTree),
     /// Transmitter and receiver at one place above a road: waves arrive at the receiver via the road as well.
-    ByRoad(&'a BeamTree, &'a Received),
+    ByRoad(&'a BeamTree, &'a RoadTree),
 }
 
 impl<'a> Trees<'a> {
@@ -82,7 +82,7 @@ pub(crate) struct Joint {
     pub(crate) weight: f64,
     pub(crate) reverse: Reverse,
     /// Separation of its sequence from the specular.
-    pub(crate) parting: Parting,
+    pub(crate) separation: SpecularSeparation,
     corners: Range<usize>,
 }
 
@@ -96,7 +96,7 @@ pub(crate) struct Joints {
     /// Sides of the joints' polygons along lines that cut out shadows, if `outlines` are present.
     pub(crate) shadow_sides: Vec<SideOfJoint>,
     /// Area of overlaps dropped for their size, both directions: its sum, m², and the sum of its squares, m⁴.
-    pub(crate) given_up: [f64; 2],
+    pub(crate) dropped_sections: [f64; 2],
 }
 
 /// A side of a joint's polygon along a line that cuts out a shadow.
@@ -112,7 +112,7 @@ pub(crate) struct SideOfJoint {
 impl Joint {
     /// Weight of its polygon at a wavenumber.
     pub(crate) fn weight_at(&self, wavenumber_per_m: f64) -> f64 {
-        self.weight * self.parting.of_polygons(wavenumber_per_m)
+        self.weight * self.separation.of_polygons(wavenumber_per_m)
     }
 }
 
@@ -142,7 +142,7 @@ impl Joints {
             let pair = (joint.forward, joint.backward);
             some.push(pair, joint.weight, joint.reverse, self.polygon(joint).iter().copied());
             if let Some(copy) = some.list.last_mut() {
-                copy.parting = joint.parting;
+                copy.separation = joint.separation;
             }
         }
         some
@@ -162,7 +162,7 @@ impl Joints {
         self.list.extend(other.list.into_iter().map(moved));
         self.corners_m.extend(other.corners_m);
         self.outlines.extend(other.outlines);
-        (0..2).for_each(|i| self.given_up[i] += other.given_up[i]);
+        (0..2).for_each(|i| self.dropped_sections[i] += other.dropped_sections[i]);
     }
 
     pub(crate) fn push(
@@ -176,6 +176,13 @@ impl Joints {
         self.corners_m.extend(corners_m);
         let corners = start..self.corners_m.len();
         let (forward, backward) = pair;
-        self.list.push(Joint { forward, backward, weight, reverse, parting: Parting::NONE, corners });
+        self.list.push(Joint {
+            forward,
+            backward,
+            weight,
+            reverse,
+            separation: SpecularSeparation::NONE,
+            corners,
+        });
     }
 }

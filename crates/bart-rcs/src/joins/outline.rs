@@ -16,7 +16,7 @@ pub(crate) struct Outline {
 }
 
 /// A convex polygon in a plane, with its borders from each corner to the next.
-pub(crate) struct Bordered<'a> {
+pub(crate) struct BorderedPolygon<'a> {
     pub(crate) corners_m: &'a [DVec2],
     pub(crate) borders: &'a [BorderLine],
 }
@@ -28,7 +28,7 @@ impl Outline {
     /// Edges closer to each other than `tolerance_m` are one line.
     pub(crate) fn of_overlap(
         overlap_m: &[DVec2],
-        polygons: [&Bordered<'_>; 2],
+        polygons: [&BorderedPolygon<'_>; 2],
         tolerance_m: f64,
         mut shadow_side: impl FnMut(usize, BorderLine),
     ) -> Self {
@@ -59,7 +59,7 @@ impl Outline {
     }
 }
 
-impl Bordered<'_> {
+impl BorderedPolygon<'_> {
     /// Border of the polygon along a line that may lie on one of its edges; several edges of a polygon can
     /// lie in a line.
     fn border_along(&self, from: DVec2, to: DVec2, tolerance_m: f64) -> Option<BorderLine> {

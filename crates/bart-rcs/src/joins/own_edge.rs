@@ -14,7 +14,7 @@
 //! The node is then on the facet with the smaller radius: weights are the squares of the curvatures.
 
 use crate::beams::image_tree::origin;
-use crate::bodies::road::Half;
+use crate::bodies::road::HalfSpace;
 use crate::bodies::road_mirror::below;
 use crate::bodies::world::World;
 use crate::geometry::clip::doubled_area;
@@ -149,13 +149,13 @@ fn place(world: &World, trees: Trees<'_>, joint: &Joint, corners_m: &[DVec3]) ->
     let backward = &receive.beams[joint.backward as usize];
     let node = usize::from(forward.order) - 1;
     let mut sequence = [u32::MAX; MAX_ORDER];
-    for (place, beam) in (0..=node).rev().zip(transmit.way_back(forward)) {
+    for (place, beam) in (0..=node).rev().zip(transmit.mirror_chain(forward)) {
         sequence[place] = world.patch(beam.facet);
     }
-    for (place, beam) in (node..MAX_ORDER).zip(receive.way_back(backward)) {
+    for (place, beam) in (node..MAX_ORDER).zip(receive.mirror_chain(backward)) {
         sequence[place] = world.patch(beam.facet);
     }
-    if origin(receive, backward) == Half::Below {
+    if origin(receive, backward) == HalfSpace::Below {
         // The same patches with the road at the end form another path.
         sequence[node + usize::from(backward.order) - 1] |= BY_ROAD;
     }

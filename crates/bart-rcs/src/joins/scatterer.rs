@@ -3,21 +3,21 @@
 use crate::beams::beam::{Beam, BeamTree};
 use crate::beams::image_tree::{goes_by_road, origin};
 use crate::bodies::body_gains::BodyGains;
-use crate::bodies::road::{Half, half_of};
+use crate::bodies::road::{HalfSpace, half_of};
 use crate::bodies::world::World;
 use crate::geometry::antenna::Antenna;
 use crate::integral::field::{Field, length_difference_m};
+use crate::integral::leg_surfaces::{LegSurface, LegSurfaces};
 use crate::integral::node::{Bracket, Estimate, Leg, Node};
+use crate::integral::phasors::PhasorRotation;
 use crate::integral::physical_optics::{count_tiles, for_each_tile, node_amplitudes};
 use crate::integral::polarization::Mirrors;
-use crate::integral::steps::{Step, Steps};
 use crate::integral::tiling::Tile;
-use crate::integral::turns::Turning;
 use crate::joins::group::Group;
 use crate::joins::join::joints;
 use crate::joins::joint::{Joint, Joints, Reverse, Trees};
-use crate::oversight::error::BartError;
-use crate::oversight::progress::{Phase, Progress, Unheard};
+use crate::run_control::error::BartError;
+use crate::run_control::progress::{NoProgress, Phase, Progress};
 use artifact::paths::Amplitude;
 use artifact::settings::NodeRule;
 use glam::DVec3;
@@ -32,7 +32,7 @@ pub(crate) struct Scatterer<'a> {
     ends: [Antenna; 2],
     transmit_legs: Vec<Leg>,
     receive_legs: Vec<Leg>,
-    heard: (Phase, &'a dyn Progress),
+    progress: (Phase, &'a dyn Progress),
     /// Gains that weight sums over joints; `None` if all are one.
     gains: Option<&'a BodyGains>,
     /// Extent to which edge waves are followed.
@@ -70,15 +70,15 @@ impl<'a> Scatterer<'a> {
             ends,
             transmit_legs,
             receive_legs,
-            heard: (Phase::Integrating, &Unheard),
+            progress: (Phase::Integrating, &NoProgress),
             gains: None,
             edge_waves: EdgeWaves::OverFaces,
         }
     }
 
     /// The scatterer with progress reports of its sums, which belong to `phase`.
-    pub(crate) fn heard_by(self, phase: Phase, progress: &'a dyn Progress) -> Self {
-        Self { heard: (phase, progress), ..self }
+    pub(crate) fn with_progress(self, phase: Phase, progress: &'a dyn Progress) -> Self {
+        Self { progress: (phase, progress), ..self }
     }
 
     /// The scatterer with antenna gains: S of every path is weighted by them.
@@ -93,7 +93,7 @@ impl<'a> Scatterer<'a> {
 
     /// Reports the progress of a sum.
     pub(crate) fn at(&self, done: usize, of: usize) {
-        self.heard.1.at(self.heard.0, done, of);
+        self.progress.1.at(self.progress.0, done, of);
     }
 
     /// The same beams with plane waves from another direction: lit parts stay lit.
@@ -148,7 +148,7 @@ impl<'a> Scatterer<'a> {
     pub(crate) fn amplitudes(
         &self,
         joint: &Joint,
-        part: &Part<'_>,
+        part: &PolygonPart<'_>,
         wavenumbers_per_m: &[f64],
         accuracy: f64,
     ) -> Estimate<Vec<Amplitude>> {
@@ -171,7 +171,7 @@ impl<'a> Scatterer<'a> {
     pub(crate) fn with_field<T>(
         &self,
         joint: &Joint,
-        part: &Part<'_>,
+        part: &PolygonPart<'_>,
         asked: (&[f64], f64),
         of: impl FnOnce(&Field<'_>) -> T,
     ) -> T {
@@ -190,7 +190,7 @@ impl<'a> Scatterer<'a> {
         request: &Integration<'_>,
     ) -> Estimate<Vec<Amplitude>> {
         let reference_m = corners_m.iter().sum::<DVec3>() / corners_m.len() as f64;
-        let part = Part { corners_m, reference_m, bracket: request.bracket };
+        let part = PolygonPart { corners_m, reference_m, bracket: request.bracket };
         let mut estimate = self.amplitudes(joint, &part, request.wavenumbers_per_m, request.accuracy);
         let ends = [joint.forward, joint.backward];
         let (spread, length_m) = self.way_from(origin_m, ends, self.apparent_m(joint, reference_m));
@@ -219,7 +219,7 @@ impl<'a> Scatterer<'a> {
         give: &mut dyn FnMut(&JointTile<'_>),
     ) {
         let reference_m = corners_m.iter().sum::<DVec3>() / corners_m.len() as f64;
-        let node = self.node(joint, &Part { corners_m, reference_m, bracket: request.bracket });
+        let node = self.node(joint, &PolygonPart { corners_m, reference_m, bracket: request.bracket });
         let asked = (request.wavenumbers_per_m, request.accuracy);
         let accuracy = self.accuracy(joint.forward, &node, reference_m, asked);
         let field = Field::new(&node, reference_m, accuracy);
@@ -239,7 +239,7 @@ impl<'a> Scatterer<'a> {
         most: u64,
     ) -> u64 {
         let reference_m = corners_m.iter().sum::<DVec3>() / corners_m.len() as f64;
-        let node = self.node(joint, &Part { corners_m, reference_m, bracket: request.bracket });
+        let node = self.node(joint, &PolygonPart { corners_m, reference_m, bracket: request.bracket });
         let asked = (request.wavenumbers_per_m, request.accuracy);
         let accuracy = self.accuracy(joint.forward, &node, reference_m, asked);
         let highest_per_m = request.wavenumbers_per_m.iter().copied().fold(0.0, f64::max);
@@ -257,7 +257,7 @@ impl<'a> Scatterer<'a> {
         node.allowance(self.world.bent_area_m2(facet)) * accuracy
     }
 
-    fn node<'p>(&'p self, joint: &Joint, part: &Part<'p>) -> Node<'p> {
+    fn node<'p>(&'p self, joint: &Joint, part: &PolygonPart<'p>) -> Node<'p> {
         Node {
             corners_m: part.corners_m,
             normal: self.forward(joint).lit_normal,
@@ -273,7 +273,7 @@ impl<'a> Scatterer<'a> {
     pub(crate) fn with_field_of_beam<T>(
         &self,
         beam: u32,
-        part: &Part<'_>,
+        part: &PolygonPart<'_>,
         asked: (&[f64], f64),
         of: impl FnOnce(&Field<'_>) -> T,
     ) -> T {
@@ -303,7 +303,7 @@ impl<'a> Scatterer<'a> {
     fn gain(&self, [forward, backward]: [u32; 2]) -> f64 {
         let first_body = |tree: &BeamTree, beam: u32| {
             let beam = &tree.beams[beam as usize];
-            let first = tree.way_back(beam).last().unwrap_or(beam);
+            let first = tree.mirror_chain(beam).last().unwrap_or(beam);
             self.world.facet(first.facet).id.body
         };
         let (transmit, receive) = (self.trees.transmit(), self.trees.receive());
@@ -335,7 +335,7 @@ pub(crate) struct JointTile<'a> {
 
 /// Path length over a tile.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Way {
+pub(crate) struct PathLengthRange {
     /// Length L₁ + L₂ − R_t − R_r halfway between its minimum and maximum, m.
     pub(crate) length_m: f64,
     /// Maximum difference of any point's length from that, m.
@@ -343,7 +343,7 @@ pub(crate) struct Way {
 }
 
 impl JointTile<'_> {
-    pub(crate) fn way(&self) -> Way {
+    pub(crate) fn path_length_range(&self) -> PathLengthRange {
         let (middle_m, reach_m) = self.tile.middle_and_reach_m();
         let middle = self.field.surface_at(middle_m);
         let at_middle_m = self.field.length_m(middle.x_m);
@@ -359,19 +359,19 @@ impl JointTile<'_> {
         // A skin deviates from it by half its second derivative, two-way.
         let bent_m =
             if self.field.is_bent() { self.field.along(self.tile.steps_m().into_iter()).rise_m } else { 0.0 };
-        Way {
+        PathLengthRange {
             length_m: self.length_m + at_middle_m + 0.5 * (low_m + high_m),
             extent_m: 0.5 * (high_m - low_m)
                 + curved_m
                 + bent_m
                 + self.field.turning_length_m()
-                + self.joint.parting.turning_m(),
+                + self.joint.separation.turning_m(),
         }
     }
 
     /// Adds the tile's contribution to S, including its reverse.
     pub(crate) fn add_to(&self, group: &mut Group<'_>) {
-        let turning = Turning::of(self.length_m - group.length_m, group.wavenumbers_per_m);
+        let turning = PhasorRotation::of(self.length_m - group.length_m, group.wavenumbers_per_m);
         self.field.for_each_amplitude(self.tile, group.wavenumbers_per_m, &mut |index, amplitude| {
             let k = group.wavenumbers_per_m[index];
             let factor = self.spread * self.joint.weight_at(k) * turning.at(k);
@@ -382,7 +382,7 @@ impl JointTile<'_> {
 }
 
 /// A part of a joint's polygon.
-pub(crate) struct Part<'a> {
+pub(crate) struct PolygonPart<'a> {
     pub(crate) corners_m: &'a [DVec3],
     pub(crate) reference_m: DVec3,
     pub(crate) bracket: Bracket,
@@ -438,7 +438,8 @@ fn spread(end: Antenna, x_m: DVec3, origin_m: DVec3) -> f64 {
 fn legs(world: &World, tree: &BeamTree, zenith_h: DVec3) -> Vec<Leg> {
     let mut legs: Vec<Leg> = Vec::with_capacity(tree.beams.len());
     for beam in &tree.beams {
-        let first = || if origin(tree, beam) == Half::Above { Mirrors::NONE } else { Mirrors::BELOW_ROAD };
+        let first =
+            || if origin(tree, beam) == HalfSpace::Above { Mirrors::NONE } else { Mirrors::BELOW_ROAD };
         let mirrors = beam.parent.map_or_else(first, |parent| {
             let mirror = tree.beams[parent as usize].facet;
             legs[parent as usize].mirrors.and(&world.facet(mirror).plane)
@@ -449,27 +450,28 @@ fn legs(world: &World, tree: &BeamTree, zenith_h: DVec3) -> Vec<Leg> {
 }
 
 /// Surfaces met by a beam before it reaches its facet.
-fn steps(world: &World, tree: &BeamTree, beam: &Beam) -> Steps {
+fn steps(world: &World, tree: &BeamTree, beam: &Beam) -> LegSurfaces {
     if world.is_conductor() {
-        return Steps::default();
+        return LegSurfaces::default();
     }
     let mut half = origin(tree, beam);
-    let mut steps: Vec<Step> = (half == Half::Below).then(Step::started_below).into_iter().collect();
-    let mut beams: Vec<&Beam> = tree.way_back(beam).collect();
+    let mut steps: Vec<LegSurface> =
+        (half == HalfSpace::Below).then(LegSurface::started_below).into_iter().collect();
+    let mut beams: Vec<&Beam> = tree.mirror_chain(beam).collect();
     beams.reverse();
     for (i, of_leg) in beams.iter().enumerate() {
         // On a leg with both, the road is taken before the sheets: another order mixes polarizations slightly
         // differently.
         if half_of(world, of_leg.facet) != half {
             half = half_of(world, of_leg.facet);
-            steps.extend(world.road().map(Step::crossed));
+            steps.extend(world.road().map(LegSurface::crossed));
         }
-        steps.extend(of_leg.sheets.iter().map(|&sheet| Step::passed(world, sheet)));
+        steps.extend(of_leg.sheets.iter().map(|&sheet| LegSurface::passed(world, sheet)));
         if i + 1 < beams.len() {
-            steps.push(Step::reflected(world, of_leg.facet));
+            steps.push(LegSurface::reflected(world, of_leg.facet));
         }
     }
-    Steps::over(&steps)
+    LegSurfaces::over(&steps)
 }
 
 /// Facets of a path in the order of travel, from the beams of both ends.

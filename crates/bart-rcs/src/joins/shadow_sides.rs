@@ -75,7 +75,7 @@ mod tests {
     use crate::bodies::world::World;
     use crate::geometry::antenna::Antenna;
     use crate::geometry::plane::Plane;
-    use crate::joins::outline::Bordered;
+    use crate::joins::outline::BorderedPolygon;
     use artifact::scene::Mesh;
     use artifact::settings::Sides;
     use glam::DVec2;
@@ -132,7 +132,7 @@ mod tests {
         for beam in tree.beams.iter().filter(|beam| beam.facet < 2) {
             let corners = tree.polygon(beam);
             let corners_m: Vec<DVec2> = corners.iter().map(|c| c.truncate()).collect();
-            let bordered = Bordered { corners_m: &corners_m, borders: tree.borders(beam) };
+            let bordered = BorderedPolygon { corners_m: &corners_m, borders: tree.borders(beam) };
             all.add(Outline::of_overlap(&corners_m, [&bordered, &bordered], 1e-9, |i, border| {
                 sides.push(ShadowSide { border, ends_m: [corners[i], corners[(i + 1) % corners.len()]] });
             }));

@@ -14,7 +14,7 @@ use num_complex::Complex64;
 
 /// Coefficients of layers.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Passed {
+pub(crate) struct LayerCoefficients {
     /// Reflection, referred to the front face.
     pub(crate) reflected: PolarizationPair,
     /// Transmission from the front face to the point of the back face straight behind it; zero on metal.
@@ -22,8 +22,13 @@ pub(crate) struct Passed {
 }
 
 /// Layers of exactly known thickness.
-pub(crate) fn coherent(layers: &[Layer], backing: Backing, cosine: f64, wavenumber_per_m: f64) -> Passed {
-    let mut behind = Behind::of(backing);
+pub(crate) fn coherent(
+    layers: &[Layer],
+    backing: Backing,
+    cosine: f64,
+    wavenumber_per_m: f64,
+) -> LayerCoefficients {
+    let mut behind = StackResponse::of(backing);
     for (i, layer) in layers.iter().enumerate().rev() {
         let medium = Medium::entered(layer.permittivity, cosine);
         let before = medium_before(layers, i, cosine);
@@ -33,7 +38,7 @@ pub(crate) fn coherent(layers: &[Layer], backing: Backing, cosine: f64, wavenumb
         let way = (Complex64::new(0.0, -wavenumber_per_m * layer.thickness_m) * medium.s).exp();
         behind = behind.after_layer(way).after_boundary(before.reflection_at(&medium));
     }
-    Passed { reflected: behind.reflected, transmitted: behind.transmitted }
+    LayerCoefficients { reflected: behind.reflected, transmitted: behind.transmitted }
 }
 
 /// Layers of which only the powers are known, with the phase of every layer averaged. Amplitudes are roots of
@@ -41,7 +46,12 @@ pub(crate) fn coherent(layers: &[Layer], backing: Backing, cosine: f64, wavenumb
 ///
 /// For one layer this is exactly ⟨|·|²⟩ of [`coherent`] over a period of its thickness (the geometric series
 /// of its passages, term by term); for several it is the usual recursion of powers.
-pub(crate) fn averaged(layers: &[Layer], backing: Backing, cosine: f64, wavenumber_per_m: f64) -> Passed {
+pub(crate) fn averaged(
+    layers: &[Layer],
+    backing: Backing,
+    cosine: f64,
+    wavenumber_per_m: f64,
+) -> LayerCoefficients {
     let (mut te, mut tm) = (MeanPowers::of(backing, CONDUCTOR.te), MeanPowers::of(backing, CONDUCTOR.tm));
     for (i, layer) in layers.iter().enumerate().rev() {
         let medium = Medium::entered(layer.permittivity, cosine);
@@ -57,7 +67,7 @@ pub(crate) fn averaged(layers: &[Layer], backing: Backing, cosine: f64, wavenumb
     let reflected = |of: MeanPowers, conductor: Complex64| {
         with_phase_of(of.reflected, if is_metal { conductor } else { of.first })
     };
-    Passed {
+    LayerCoefficients {
         reflected: PolarizationPair { te: reflected(te, CONDUCTOR.te), tm: reflected(tm, CONDUCTOR.tm) },
         transmitted: PolarizationPair {
             te: with_phase_of(te.transmitted, te.passage),
@@ -76,12 +86,12 @@ fn medium_before(layers: &[Layer], index: usize, cosine: f64) -> Medium {
 
 /// Reflection and transmission of everything behind a plane.
 #[derive(Clone, Copy)]
-struct Behind {
+struct StackResponse {
     reflected: PolarizationPair,
     transmitted: PolarizationPair,
 }
 
-impl Behind {
+impl StackResponse {
     /// Backing as seen from inside the last layer: metal, or nothing before the boundary to the air is
     /// included.
     fn of(backing: Backing) -> Self {
@@ -174,7 +184,7 @@ mod tests {
         TAU * 77.3e9 / SPEED_OF_LIGHT_MPS
     }
 
-    fn sheet(permittivity: Complex64, thickness_m: f64, angle_deg: f64) -> Passed {
+    fn sheet(permittivity: Complex64, thickness_m: f64, angle_deg: f64) -> LayerCoefficients {
         let layer = Layer { thickness_m, permittivity };
         coherent(&[layer], Backing::Air, angle_deg.to_radians().cos(), wavenumber_per_m())
     }
@@ -317,7 +327,7 @@ mod tests {
             let layer = |thickness_m| [Layer { thickness_m, permittivity }];
             let mean = averaged(&layer(5e-3), Backing::Air, cosine, k);
             const STEPS: u32 = 400;
-            let powers = |of: &dyn Fn(&Passed) -> Complex64| {
+            let powers = |of: &dyn Fn(&LayerCoefficients) -> Complex64| {
                 let at = |i| {
                     coherent(
                         &layer(5e-3 + period_m * f64::from(i) / f64::from(STEPS)),

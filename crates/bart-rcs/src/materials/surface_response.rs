@@ -1,6 +1,6 @@
 //! Response of a material to a plane wave, and to its field vectors.
 
-use crate::materials::layers::{Passed, averaged, coherent};
+use crate::materials::layers::{LayerCoefficients, averaged, coherent};
 use crate::materials::reflection_coefficients::{CONDUCTOR, PolarizationPair, half_space};
 use artifact::material::{Backing, Layer, Material, Thickness};
 use glam::DVec3;
@@ -30,7 +30,7 @@ pub(crate) fn transmission(material: &Material, cosine: f64, wavenumber_per_m: f
     PolarizationPair { te: te * way, tm: tm * way }
 }
 
-fn passed(material: &Material, cosine: f64, wavenumber_per_m: f64) -> Passed {
+fn passed(material: &Material, cosine: f64, wavenumber_per_m: f64) -> LayerCoefficients {
     const NOTHING: PolarizationPair = PolarizationPair { te: Complex64::ZERO, tm: Complex64::ZERO };
     match material {
         Material::Layers { layers, backing, thickness: Thickness::Exact } => {
@@ -40,7 +40,7 @@ fn passed(material: &Material, cosine: f64, wavenumber_per_m: f64) -> Passed {
             averaged(layers, *backing, cosine, wavenumber_per_m)
         }
         Material::Conductor | Material::HalfSpace { .. } => {
-            Passed { reflected: CONDUCTOR, transmitted: NOTHING }
+            LayerCoefficients { reflected: CONDUCTOR, transmitted: NOTHING }
         }
     }
 }

@@ -107,7 +107,7 @@ impl MeshEdges {
     /// Seed of `seeds` with which each triangle is connected via edges, through triangles that `belongs(seed,
     /// other)` admits and that no earlier seed has taken; [`MeshEdges::NO_SEED`] for triangles reached by
     /// none.
-    pub(crate) fn hanging_together(
+    pub(crate) fn connected_components(
         &self,
         seeds: impl Iterator<Item = u32>,
         belongs: impl Fn(u32, u32) -> bool,

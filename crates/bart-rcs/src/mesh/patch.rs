@@ -32,7 +32,7 @@ impl Patches {
             let [seed, other] = [seed, other].map(|triangle| normals[triangle as usize]);
             seed != DVec3::ZERO && other != DVec3::ZERO && seed.cross(other).length() <= FLAT_SINE
         };
-        let patch_of = edges.hanging_together(largest_first(triangles_m), is_flat);
+        let patch_of = edges.connected_components(largest_first(triangles_m), is_flat);
         let mut patches = Self { patch_of, inside: vec![0; triangles_m.len()], curvature_per_m: Vec::new() };
         patches.mark_inside(triangles_m, edges, &normals);
         patches.curvature_per_m = curvatures(triangles_m, edges, &normals, &patches.patch_of);

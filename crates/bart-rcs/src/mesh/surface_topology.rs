@@ -6,7 +6,7 @@
 
 use crate::geometry::plane::Plane;
 use crate::mesh::mesh_edges::{MeshEdge, MeshEdges, TriangleSide, parts};
-use crate::mesh::t_junction::{Nearness, cut_at_corners};
+use crate::mesh::t_junction::{CornerTolerance, cut_at_corners};
 use crate::mesh::welding::Welding;
 use glam::DVec3;
 use std::f64::consts::TAU;
@@ -31,12 +31,12 @@ pub(crate) struct Fan {
     /// Unit vector along the line.
     pub(crate) along: DVec3,
     /// Facets, of which those that lie on each other are one.
-    pub(crate) blades: Vec<Blade>,
+    pub(crate) blades: Vec<FanFacet>,
 }
 
 /// A facet at a line.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Blade {
+pub(crate) struct FanFacet {
     /// Angle around the line, from the first blade.
     pub(crate) angle_rad: f64,
     /// Unit vector in the facet, away from the line.
@@ -46,7 +46,7 @@ pub(crate) struct Blade {
 
 impl<'a> Topology<'a> {
     /// Topology of triangles in one frame; corners within rounding are one.
-    pub(crate) fn of(triangles_m: &'a [[DVec3; 3]], near: Nearness) -> Self {
+    pub(crate) fn of(triangles_m: &'a [[DVec3; 3]], near: CornerTolerance) -> Self {
         let tolerance_m = near.rounding_m;
         let points_m = triangles_m.as_flattened();
         let names = Welding::Within(tolerance_m).places(points_m);
@@ -100,12 +100,12 @@ impl<'a> Topology<'a> {
         let along = (b - a).try_normalize()?;
         let first = self.inward(&line.sides[0], along)?;
         let up = along.cross(first);
-        let mut blades: Vec<Blade> = Vec::with_capacity(line.sides.len());
+        let mut blades: Vec<FanFacet> = Vec::with_capacity(line.sides.len());
         for side in line.sides {
             let inward = self.inward(side, along)?;
             let angle = inward.dot(up).atan2(inward.dot(first));
             let angle_rad = if angle < -DOUBLED_RAD { angle + TAU } else { angle };
-            blades.push(Blade { angle_rad, inward, side: *side });
+            blades.push(FanFacet { angle_rad, inward, side: *side });
         }
         blades.sort_by(|a, b| a.angle_rad.total_cmp(&b.angle_rad).then(a.side.cmp(&b.side)));
         blades.dedup_by(|next, kept| next.angle_rad - kept.angle_rad < DOUBLED_RAD);
@@ -121,7 +121,7 @@ impl<'a> Topology<'a> {
     }
 
     /// Grows patches from the largest facet on: connected facets in the plane of the first.
-    fn grow_patches(&mut self, near: Nearness) {
+    fn grow_patches(&mut self, near: CornerTolerance) {
         let doubled_m2 = |t: u32| {
             let [a, b, c] = self.triangles_m[t as usize];
             (b - a).cross(c - a).length()
@@ -131,7 +131,7 @@ impl<'a> Topology<'a> {
         seeds.sort_by(|&a, &b| doubled_m2(b).total_cmp(&doubled_m2(a)).then(a.cmp(&b)));
         let in_plane =
             |seed: u32, other: u32| self.lies_in_plane_of(seed as usize, other as usize, near.of_plane_m());
-        let mut patch_of = self.edges.hanging_together(seeds.iter().copied(), in_plane);
+        let mut patch_of = self.edges.connected_components(seeds.iter().copied(), in_plane);
         let mut number = vec![MeshEdges::NO_SEED; patch_of.len()];
         for seed in seeds.into_iter().filter(|seed| patch_of[*seed as usize] == *seed) {
             number[seed as usize] = self.patches;
@@ -152,9 +152,9 @@ impl<'a> Topology<'a> {
 impl Fan {
     /// Widest angle without a facet, and the blades at which it starts and ends (for a single blade: from one
     /// side to the other).
-    pub(crate) fn widest_gap(&self) -> (f64, [Blade; 2]) {
+    pub(crate) fn widest_gap(&self) -> (f64, [FanFacet; 2]) {
         let next = self.blades.iter().cycle().skip(1);
-        let gap = |(a, b): (&Blade, &Blade)| {
+        let gap = |(a, b): (&FanFacet, &FanFacet)| {
             let turn = b.angle_rad - a.angle_rad;
             (if turn > 0.0 { turn } else { turn + TAU }, [*a, *b])
         };
@@ -180,7 +180,7 @@ fn normal_of(corners_m: &[DVec3; 3], tolerance_m: f64) -> DVec3 {
 mod tests {
     use super::*;
 
-    const NEAR: Nearness = Nearness { rounding_m: 1e-6, untold_m: 0.0 };
+    const NEAR: CornerTolerance = CornerTolerance { rounding_m: 1e-6, negligible_m: 0.0 };
 
     fn topology(triangles_m: &[[DVec3; 3]]) -> Topology<'_> {
         Topology::of(triangles_m, NEAR)

@@ -8,31 +8,31 @@ use std::ops::ControlFlow;
 
 /// Distances within which corners lie on a side.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Nearness {
+pub(crate) struct CornerTolerance {
     /// Distance of rounding in the file, within which any corner lies on a side.
     pub(crate) rounding_m: f64,
     /// Distance negligible for a wave, within which, and a hundredth of the side's length, corners also lie
     /// on it: files with rounded coordinates have them beside it.
-    pub(crate) untold_m: f64,
+    pub(crate) negligible_m: f64,
 }
 
-impl Nearness {
+impl CornerTolerance {
     /// Distance within which corners lie on a side of this length.
     fn of_side_m(self, length_m: f64) -> f64 {
         const OF_LENGTH: f64 = 0.01;
-        self.rounding_m.max(self.untold_m.min(OF_LENGTH * length_m))
+        self.rounding_m.max(self.negligible_m.min(OF_LENGTH * length_m))
     }
 
     /// Distance within which corners lie in a plane.
     pub(crate) fn of_plane_m(self) -> f64 {
-        2.0 * self.rounding_m.max(self.untold_m)
+        2.0 * self.rounding_m.max(self.negligible_m)
     }
 }
 
 /// Cuts unshared sides where corners of other unshared sides lie on them: T-junctions.
 ///
 /// `points_m` are the points of the places named by the sides.
-pub(crate) fn cut_at_corners(sides: &mut Vec<SidePart>, points_m: &[DVec3], near: Nearness) {
+pub(crate) fn cut_at_corners(sides: &mut Vec<SidePart>, points_m: &[DVec3], near: CornerTolerance) {
     sides.sort_unstable();
     let open = alone(sides);
     let mut corners: Vec<u32> = open.iter().flat_map(|side| sides[*side].ends).collect();
@@ -75,7 +75,7 @@ fn corners_on(
     hierarchy: &Hierarchy,
     corners: &[u32],
     points_m: &[DVec3],
-    near: Nearness,
+    near: CornerTolerance,
     stack: &mut Stack,
 ) -> Vec<u32> {
     let [a, b] = side.ends.map(|end| points_m[end as usize]);

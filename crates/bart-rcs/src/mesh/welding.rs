@@ -53,7 +53,7 @@ fn same_bits(points_m: &[DVec3]) -> Vec<u32> {
 
 fn nearer_than(points_m: &[DVec3], tolerance_m: f64) -> Vec<u32> {
     let mut firsts =
-        Firsts { cell_m: CELL * tolerance_m, last: HashMap::new(), before: vec![NONE; points_m.len()] };
+        PlaceIndex { cell_m: CELL * tolerance_m, last: HashMap::new(), before: vec![NONE; points_m.len()] };
     let place = |(index, point): (u32, &DVec3)| {
         let found = firsts.near(*point, points_m, tolerance_m);
         found.unwrap_or_else(|| firsts.add(*point, index))
@@ -66,14 +66,14 @@ const CELL: f64 = 16.0;
 const NONE: u32 = u32::MAX;
 
 /// First points of places, by cell; only looked up, never iterated.
-struct Firsts {
+struct PlaceIndex {
     cell_m: f64,
     last: HashMap<[i64; 3], u32>,
     /// Previous first point in the cell of each first point.
     before: Vec<u32>,
 }
 
-impl Firsts {
+impl PlaceIndex {
     fn add(&mut self, point_m: DVec3, index: u32) -> u32 {
         self.before[index as usize] = self.last.insert(self.cell(point_m), index).unwrap_or(NONE);
         index

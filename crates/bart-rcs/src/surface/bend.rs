@@ -29,7 +29,7 @@ pub(crate) struct Bend {
 
 /// Maximum rise and slope change of a skin along several steps, anywhere over its facet.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Along {
+pub(crate) struct SkinVariation {
     /// Second difference e·He of the height, m: twice its rise beyond the tangent plane.
     pub(crate) rise_m: f64,
     /// Third derivative of the height, m.
@@ -100,8 +100,8 @@ impl Bend {
 
     /// Bounds over the facet for these steps in its plane. A long facet bent transversely has none
     /// lengthwise.
-    pub(crate) fn along(&self, steps_m: impl Iterator<Item = DVec3>) -> Along {
-        steps_m.map(|step| self.along_one(step)).fold(Along::default(), |most, one| Along {
+    pub(crate) fn along(&self, steps_m: impl Iterator<Item = DVec3>) -> SkinVariation {
+        steps_m.map(|step| self.along_one(step)).fold(SkinVariation::default(), |most, one| SkinVariation {
             rise_m: most.rise_m.max(one.rise_m),
             third_m: most.third_m.max(one.third_m),
             turn: most.turn.max(one.turn),
@@ -109,10 +109,10 @@ impl Bend {
         })
     }
 
-    fn along_one(&self, step_m: DVec3) -> Along {
+    fn along_one(&self, step_m: DVec3) -> SkinVariation {
         let turns = self.second_per_m.map(|h| h * step_m);
         let change: DVec3 = (0..3).map(|i| turns[i] * self.gradients[i].dot(step_m)).sum();
-        Along {
+        SkinVariation {
             rise_m: turns.iter().map(|turn| turn.dot(step_m).abs()).fold(0.0, f64::max),
             third_m: change.dot(step_m).abs(),
             turn: turns.iter().map(|turn| turn.length()).fold(0.0, f64::max),

@@ -26,7 +26,7 @@ pub(crate) enum Curve {
 }
 
 /// Midpoint of an edge.
-struct Middle {
+struct EdgeMidpoint {
     point_m: DVec3,
     /// Curves of both halves.
     curves: [Curve; 2],
@@ -91,7 +91,7 @@ impl CurvedEdge {
 
     /// Both halves, which meet at the same point on the curve.
     pub(crate) fn halves(&self) -> [Self; 2] {
-        let Middle { point_m, curves } = self.middle();
+        let EdgeMidpoint { point_m, curves } = self.middle();
         let half = |ends_m, curve| Self { ends_m, curve, halvings: self.halvings + 1 };
         [half([self.ends_m[0], point_m], curves[0]), half([point_m, self.ends_m[1]], curves[1])]
     }
@@ -111,21 +111,21 @@ impl CurvedEdge {
         self.ends_m[1] - self.ends_m[0]
     }
 
-    fn middle(&self) -> Middle {
+    fn middle(&self) -> EdgeMidpoint {
         let chord = self.chord_m();
         let halfway = 0.5 * (self.ends_m[0] + self.ends_m[1]);
         match self.curve {
-            Curve::Straight => Middle { point_m: halfway, curves: [Curve::Straight; 2] },
+            Curve::Straight => EdgeMidpoint { point_m: halfway, curves: [Curve::Straight; 2] },
             Curve::OnSkin([a, b]) => {
                 let m = normal_at_middle(chord, [a, b]);
                 let point_m = halfway + rise_m(chord, [a, b]);
-                Middle { point_m, curves: [Curve::OnSkin([a, m]), Curve::OnSkin([m, b])] }
+                EdgeMidpoint { point_m, curves: [Curve::OnSkin([a, m]), Curve::OnSkin([m, b])] }
             }
             Curve::Crease([a, b]) => {
                 let [from_a, to_b] = handles_m(chord, [a, b]);
                 let m = tangent_at_middle(chord, [a, b]);
                 let point_m = halfway + 0.375 * (from_a - to_b);
-                Middle { point_m, curves: [Curve::Crease([a, m]), Curve::Crease([m, b])] }
+                EdgeMidpoint { point_m, curves: [Curve::Crease([a, m]), Curve::Crease([m, b])] }
             }
         }
     }

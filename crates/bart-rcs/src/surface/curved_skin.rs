@@ -9,7 +9,7 @@ use crate::mesh::mesh_edges::{MeshEdge, MeshEdges, TriangleSide};
 use crate::mesh::welding::Welding;
 use crate::surface::bend::{Bend, ControlHeights};
 use crate::surface::curved_edge::{Curve, CurvedEdge, rejected};
-use crate::surface::made_normals::{Facets, made_normals};
+use crate::surface::estimated_normals::{Facets, estimate_normals};
 use crate::surface::refinement::{BendLimits, BentSide, BentTriangle, EdgeDirection, count, refined};
 use crate::surface::skin_triangles::{SkinTriangles, bent_area_m2};
 use artifact::scene::Mesh;
@@ -133,7 +133,7 @@ fn corner_normals(mesh: &Mesh, facets: &Facets<'_>) -> Vec<[DVec3; 3]> {
     if stored.iter().flatten().all(Option::is_some) {
         return stored.into_iter().map(|corners| corners.map(|n| n.unwrap_or(DVec3::ZERO))).collect();
     }
-    let made = made_normals(facets);
+    let made = estimate_normals(facets);
     let either =
         |(stored, made): (&[Option<DVec3>; 3], &[DVec3; 3])| [0, 1, 2].map(|k| stored[k].unwrap_or(made[k]));
     stored.iter().zip(&made).map(either).collect()

@@ -47,7 +47,7 @@ const SKIN_SHARE: f64 = 0.6;
 
 /// Share of the requested accuracy left by a skin with [`SKIN_SHARE`]: √(1 − 0.6²). Flat facets are the
 /// surface, and leave all of it.
-pub(crate) fn share_beside(surface: Surface) -> f64 {
+pub(crate) fn remaining_share(surface: Surface) -> f64 {
     match surface {
         Surface::Flat => 1.0,
         Surface::Smooth => (1.0 - SKIN_SHARE * SKIN_SHARE).sqrt(),
@@ -86,7 +86,7 @@ impl FinerSkin {
     /// For a single bounce the limits ensure this for a skin with far fewer coarser facets. From the second
     /// bounce on a facet is a flat mirror, whose sagitta does not determine how it shows the next one, and
     /// two skins that are both too coarse may differ little.
-    pub(crate) fn beside(facets: usize, coarser: usize, bounces: u8) -> Option<Self> {
+    pub(crate) fn affordable(facets: usize, coarser: usize, bounces: u8) -> Option<Self> {
         if bounces < 2 && 2 * coarser <= facets {
             return None;
         }
@@ -104,7 +104,7 @@ impl FinerSkin {
 /// Error reported for facets subdivided for `cut_for`, from the relative difference to [`COARSER`] ones. For
 /// a mesh finer than both subdivisions the difference is zero, and at few frequencies and aspects it may
 /// vanish by chance: at least half of the subdivision's error is reported.
-pub(crate) fn told_error(difference: f64, cut_for: f64) -> f64 {
+pub(crate) fn reported_error(difference: f64, cut_for: f64) -> f64 {
     difference.hypot(0.5 * cut_for)
 }
 
@@ -114,7 +114,7 @@ pub(crate) fn told_error(difference: f64, cut_for: f64) -> f64 {
 /// A facet at the terminator is lit or not as a whole ([`limits`]). For one position the weight of the lit
 /// part falls to zero there, leaving half of a facet's turn θ; for two it falls to half of sin β, so that the
 /// error is (θ + sin β)/θ times as large.
-pub(crate) fn cut_for_apart(cut_for: f64, apart_rad: f64) -> f64 {
+pub(crate) fn cut_for_bistatic(cut_for: f64, apart_rad: f64) -> f64 {
     let turn_rad = turn_rad(cut_for);
     if turn_rad > 0.0 { cut_for * (1.0 + apart_rad.min(FRAC_PI_2).sin() / turn_rad) } else { cut_for }
 }

@@ -1,8 +1,8 @@
 //! Antennas of a table at positions where no method is valid.
 
-use crate::bodies::stand_off::check_stand;
+use crate::bodies::stand_off::check_antenna_position;
 use crate::bodies::world::World;
-use crate::oversight::error::BartError;
+use crate::run_control::error::BartError;
 use crate::table::rcs_request::{RcsRequest, aspects};
 use crate::table::rcs_table::check;
 use artifact::scene::Mesh;
@@ -20,5 +20,5 @@ pub fn check_antennas(mesh: &Mesh, request: &RcsRequest) -> Result<(), BartError
     let antennas = aspects(request).into_iter().flat_map(|aspect| [Some(aspect.transmit), aspect.receive]);
     antennas
         .flatten()
-        .try_for_each(|(antenna, _)| check_stand(&world, antenna, SPEED_OF_LIGHT_MPS / lowest_hz))
+        .try_for_each(|(antenna, _)| check_antenna_position(&world, antenna, SPEED_OF_LIGHT_MPS / lowest_hz))
 }

@@ -2,19 +2,19 @@
 //! other one.
 
 use crate::beams::beam::BeamTree;
-use crate::bodies::stand_off::check_stand;
+use crate::bodies::stand_off::check_antenna_position;
 use crate::bodies::world::World;
-use crate::edges::parted_sequences::Partings;
+use crate::edges::off_specular_sequences::SequenceSeparations;
 use crate::geometry::antenna::Antenna;
 use crate::joins::join::tree_order;
 use crate::joins::joint::Trees;
 use crate::joins::scatterer::{Scatterer, ZenithH};
-use crate::oversight::error::BartError;
-use crate::oversight::progress::{Phase, Progress, Unheard};
-use crate::oversight::work_meter::WorkMeter;
+use crate::run_control::error::BartError;
+use crate::run_control::progress::{NoProgress, Phase, Progress};
+use crate::run_control::work_meter::WorkMeter;
 use crate::table::aspect_settings::{AspectSettings, Check, Checks, Finer, IntegralsCheck};
 use crate::table::end_tree::EndTree;
-use crate::table::meeting::{LeftOutEdges, OrderJoints};
+use crate::table::order_joints::{LeftOutEdges, OrderJoints};
 use crate::table::rcs_request::Aspect;
 use crate::table::small_mirrors::SmallMirrors;
 use artifact::settings::{Edges, NodeRule};
@@ -58,12 +58,18 @@ pub(crate) fn scattering(
     checks: Checks,
 ) -> Result<Scattering, BartError> {
     let meter = &WorkMeter::new(&|| 0.0);
-    scattering_with(world, aspect, settings, checks, &Company { received: None, progress: &Unheard, meter })
+    scattering_with(
+        world,
+        aspect,
+        settings,
+        checks,
+        &AspectContext { received: None, progress: &NoProgress, meter },
+    )
 }
 
 /// Context that an aspect shares with others.
 #[derive(Clone, Copy)]
-pub(crate) struct Company<'a> {
+pub(crate) struct AspectContext<'a> {
     /// Receiver's tree, if traced before with the same settings up to their last order.
     pub(crate) received: Option<&'a BeamTree>,
     /// Receiver of the aspect's progress.
@@ -78,17 +84,17 @@ pub(crate) fn scattering_with(
     aspect: &Aspect,
     settings: &AspectSettings,
     checks: Checks,
-    company: &Company<'_>,
+    context: &AspectContext<'_>,
 ) -> Result<Scattering, BartError> {
-    let metered = company.meter.begin();
+    let metered = context.meter.begin();
     let settings = &settings.seen_from(aspect);
-    let mut ends = Ends::new(world, aspect, company, settings)?;
+    let mut ends = AspectTrees::new(world, aspect, context, settings)?;
     ends.grow_to(1)?;
     ends.check_open()?;
     ends.grow_to(settings.tree_order())?;
     let trace_seconds = metered.lap_s();
     let is_measured = checks.integrals != IntegralsCheck::Skipped;
-    let Chosen { orders: chosen, mirrors, accuracy, finer } = ends.chosen(settings, checks)?;
+    let RequestedOrders { orders: chosen, mirrors, accuracy, finer } = ends.chosen(settings, checks)?;
     let settings = &AspectSettings { accuracy, ..settings.clone() };
     let integrate_seconds = metered.lap_s();
     let [dropped_m, dropped_at_most_m] = ends.dropped_m(&chosen, &mirrors, settings);
@@ -132,7 +138,7 @@ pub(crate) fn scattering_with(
 }
 
 /// Trees of an aspect, grown as far as needed so far.
-struct Ends<'a> {
+struct AspectTrees<'a> {
     world: &'a World,
     transmit: EndTree<'a>,
     receive: Option<EndTree<'a>>,
@@ -142,11 +148,11 @@ struct Ends<'a> {
     progress: &'a dyn Progress,
 }
 
-impl<'a> Ends<'a> {
+impl<'a> AspectTrees<'a> {
     fn new(
         world: &'a World,
         aspect: &Aspect,
-        &Company { received, progress, .. }: &Company<'a>,
+        &AspectContext { received, progress, .. }: &AspectContext<'a>,
         settings: &'a AspectSettings,
     ) -> Result<Self, BartError> {
         let tree = |antenna: Antenna| EndTree::growing(world, antenna, &settings.trace, progress);
@@ -160,7 +166,7 @@ impl<'a> Ends<'a> {
         let antennas = [Some(aspect.transmit), aspect.receive].into_iter().flatten();
         antennas
             .map(|(antenna, _)| antenna)
-            .try_for_each(|antenna| check_stand(world, antenna, wavelength_m))?;
+            .try_for_each(|antenna| check_antenna_position(world, antenna, wavelength_m))?;
         let transmit = tree(aspect.transmit.0)?;
         Ok(Self { world, transmit, receive, zenith_h, phase: Phase::Integrating, progress })
     }
@@ -201,12 +207,12 @@ impl<'a> Ends<'a> {
     }
 
     /// All orders by the requested rule, with the data for their errors.
-    fn chosen(&self, settings: &AspectSettings, checks: Checks) -> Result<Chosen, BartError> {
+    fn chosen(&self, settings: &AspectSettings, checks: Checks) -> Result<RequestedOrders, BartError> {
         let (scatterer, rule) = (self.scatterer(), settings.nodes);
         let needed = settings.tree_order();
         let mut mirrors = SmallMirrors::of(scatterer.trees, needed, settings.trace.least_mirror_area_m2);
         let meetings = meetings(&scatterer, 1, rule, settings);
-        let settings = &settings.afforded(&scatterer, &meetings, rule)?;
+        let settings = &settings.with_affordable_accuracy(&scatterer, &meetings, rule)?;
         let integration = settings.integration(rule);
         let of_order = |meeting: &OrderJoints| {
             let hits = mirrors.hits(&scatterer, meeting, &integration, settings.polarization);
@@ -221,13 +227,14 @@ impl<'a> Ends<'a> {
         let orders = found.into_iter().map(take).collect();
         let finer = match checks.integrals {
             IntegralsCheck::Skipped => Finer::TenTimes,
-            _ => Finer::beside(&scatterer, &meetings, &integration),
+            _ => Finer::comparison(&scatterer, &meetings, &integration),
         };
-        Ok(Chosen { orders, mirrors, accuracy: settings.accuracy, finer })
+        Ok(RequestedOrders { orders, mirrors, accuracy: settings.accuracy, finer })
     }
 
     fn scatterer(&self) -> Scatterer<'_> {
-        Scatterer::new(self.world, self.joined_trees(), self.zenith_h).heard_by(self.phase, self.progress)
+        Scatterer::new(self.world, self.joined_trees(), self.zenith_h)
+            .with_progress(self.phase, self.progress)
     }
 
     fn joined_trees(&self) -> Trees<'_> {
@@ -236,9 +243,14 @@ impl<'a> Ends<'a> {
     }
 
     /// Amplitude of dropped parts, as in [`SmallMirrors::dropped_m`].
-    fn dropped_m(&self, orders: &[OfOrder], mirrors: &SmallMirrors, settings: &AspectSettings) -> [f64; 2] {
+    fn dropped_m(
+        &self,
+        orders: &[OrderContribution],
+        mirrors: &SmallMirrors,
+        settings: &AspectSettings,
+    ) -> [f64; 2] {
         let needed = settings.tree_order();
-        let overlaps = orders.iter().map(|order| order.given_up);
+        let overlaps = orders.iter().map(|order| order.dropped_sections);
         mirrors.dropped_m(self.joined_trees(), overlaps, (needed, &settings.wavenumbers_per_m))
     }
 
@@ -250,7 +262,7 @@ impl<'a> Ends<'a> {
     /// S by order, then frequency, with finer integrals; only with finer edges if facets are exact.
     fn finer(
         &self,
-        chosen: &[OfOrder],
+        chosen: &[OrderContribution],
         aspect: &Aspect,
         (finer, settings): (Finer, &AspectSettings),
     ) -> Result<Vec<Vec<Complex64>>, BartError> {
@@ -262,7 +274,7 @@ impl<'a> Ends<'a> {
             return self.orders(1, settings.nodes, &finer);
         }
         let scatterer = self.scatterer();
-        let with_edges = |(order, of_order): (u8, &OfOrder)| {
+        let with_edges = |(order, of_order): (u8, &OrderContribution)| {
             let edges_m = edges_of_order(&scatterer, order, &finer);
             let both = of_order.s_m.iter().zip(of_order.edges_m.iter().zip(&edges_m));
             both.map(|(s, (coarse, fine))| s + (fine - coarse)).collect()
@@ -274,7 +286,7 @@ impl<'a> Ends<'a> {
     /// ends of double reflections take from their polygons.
     fn by_other_rule(
         &mut self,
-        chosen: &[OfOrder],
+        chosen: &[OrderContribution],
         settings: &AspectSettings,
     ) -> Result<Vec<Vec<Complex64>>, BartError> {
         let other = other(settings.nodes);
@@ -285,10 +297,10 @@ impl<'a> Ends<'a> {
             (self.scatterer(), AspectSettings { edges: Edges::Ignored, ..settings.clone() });
         let mut meetings = meetings(&scatterer, 2, other, &plain);
         if let (Some(meeting), Some(own)) = (meetings.first_mut(), chosen.get(1)) {
-            own.partings.give_to(&scatterer, &mut meeting.facets);
+            own.separations.give_to(&scatterer, &mut meeting.facets);
         }
         let facets = sums(&scatterer, &meetings, other, &plain)?;
-        let both = |(facets_m, order): (&Vec<Complex64>, &OfOrder)| {
+        let both = |(facets_m, order): (&Vec<Complex64>, &OrderContribution)| {
             facets_m.iter().zip(&order.edges_m).map(|(facets, edges)| facets + edges).collect()
         };
         other_m.extend(facets.iter().zip(chosen.iter().skip(1)).map(both));
@@ -366,7 +378,7 @@ fn sums(
     rule: NodeRule,
     settings: &AspectSettings,
 ) -> Result<Vec<Vec<Complex64>>, BartError> {
-    let settings = &settings.afforded(scatterer, meetings, rule)?;
+    let settings = &settings.with_affordable_accuracy(scatterer, meetings, rule)?;
     Ok(meetings.par_iter().map(|meeting| of_meeting(scatterer, meeting, rule, settings).s_m).collect())
 }
 
@@ -376,18 +388,24 @@ fn of_meeting(
     meeting: &OrderJoints,
     rule: NodeRule,
     settings: &AspectSettings,
-) -> OfOrder {
+) -> OrderContribution {
     let (p, q) = settings.polarization.indices();
     let sums = meeting.sums(scatterer, DVec3::ZERO, &settings.integration(rule));
     let whole_power = sums.iter().flatten().flatten().flatten().map(Complex64::norm_sqr).sum::<f64>();
     let whole_power = whole_power / sums[0].len().max(1) as f64;
     let [mut s_m, edges_m] = sums.map(|sum| sum.iter().map(|s| s[p][q]).collect::<Vec<_>>());
     s_m.iter_mut().zip(&edges_m).for_each(|(s, edges)| *s += edges);
-    let partings = match meeting.truncations.is_empty() {
-        true => Partings::default(),
-        false => Partings::of(scatterer, &meeting.facets),
+    let separations = match meeting.truncations.is_empty() {
+        true => SequenceSeparations::default(),
+        false => SequenceSeparations::of(scatterer, &meeting.facets),
     };
-    OfOrder { s_m, edges_m, whole_power, partings, given_up: meeting.facets.given_up }
+    OrderContribution {
+        s_m,
+        edges_m,
+        whole_power,
+        separations,
+        dropped_sections: meeting.facets.dropped_sections,
+    }
 }
 
 /// Scattering amplitude of the edges in one order.
@@ -399,8 +417,8 @@ fn edges_of_order(scatterer: &Scatterer<'_>, order: u8, settings: &AspectSetting
 }
 
 /// All orders by the requested rule.
-struct Chosen {
-    orders: Vec<OfOrder>,
+struct RequestedOrders {
+    orders: Vec<OrderContribution>,
     /// Mirrors that were too small to be followed.
     mirrors: SmallMirrors,
     /// Accuracy of the integrals: the requested one, or a coarser, affordable one.
@@ -410,7 +428,7 @@ struct Chosen {
 }
 
 /// Contribution of one order.
-struct OfOrder {
+struct OrderContribution {
     /// S over frequency.
     s_m: Vec<Complex64>,
     /// Part of it that is due to edges.
@@ -418,9 +436,9 @@ struct OfOrder {
     /// Power over frequency of the whole matrix, of facets and of edges, m².
     whole_power: f64,
     /// Separations of its double reflections from their specular points.
-    partings: Partings,
-    /// Area of dropped overlaps, as in [`Joints::given_up`](crate::joins::joint::Joints).
-    given_up: [f64; 2],
+    separations: SequenceSeparations,
+    /// Area of dropped overlaps, as in [`Joints::dropped_sections`](crate::joins::joint::Joints).
+    dropped_sections: [f64; 2],
 }
 
 impl Scattering {
@@ -544,8 +562,8 @@ mod tests {
                 let checks = Checks { integrals: IntegralsCheck::Compared, model };
                 let [own, shared] = [None, Some(&tree)].map(|received| {
                     let meter = &WorkMeter::new(&|| 0.0);
-                    let company = Company { received, progress: &Unheard, meter };
-                    let found = scattering_with(&world, &aspect, &settings, checks, &company).unwrap();
+                    let context = AspectContext { received, progress: &NoProgress, meter };
+                    let found = scattering_with(&world, &aspect, &settings, checks, &context).unwrap();
                     Scattering { trace_seconds: 0.0, integrate_seconds: 0.0, check_seconds: 0.0, ..found }
                 });
                 assert!(own.mean_power() > 0.0);

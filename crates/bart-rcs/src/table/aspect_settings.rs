@@ -3,10 +3,10 @@
 use crate::beams::beam::TraceSettings;
 use crate::bodies::stand_off::distance_and_diagonal_m;
 use crate::edges::lit_edge::tree_order_with;
-use crate::joins::afforded::{FAR_FINER, afforded, are_few_tiles};
+use crate::joins::affordable_accuracy::{FAR_FINER, affordable_accuracy, are_few_tiles};
 use crate::joins::scatterer::{Integration, Scatterer, bracket_of};
-use crate::oversight::error::BartError;
-use crate::table::meeting::{MeetingSettings, OrderJoints};
+use crate::run_control::error::BartError;
+use crate::table::order_joints::{JointSettings, OrderJoints};
 use crate::table::rcs_request::Aspect;
 use artifact::radar::Polarization;
 use artifact::settings::{Edges, NodeRule};
@@ -44,14 +44,14 @@ impl AspectSettings {
         std::f64::consts::TAU / self.wavenumbers_per_m.iter().copied().fold(f64::INFINITY, f64::min)
     }
 
-    pub(crate) fn meeting(&self, nodes: NodeRule) -> MeetingSettings {
+    pub(crate) fn meeting(&self, nodes: NodeRule) -> JointSettings {
         let wavenumber_per_m = self.wavenumbers_per_m.iter().copied().fold(0.0, f64::max);
         let least_area_m2 = self.trace.least_area_m2;
-        MeetingSettings { nodes, edges: self.edges, least_area_m2, wavenumber_per_m }
+        JointSettings { nodes, edges: self.edges, least_area_m2, wavenumber_per_m }
     }
 
     /// Settings with coarser integrals if these would have too many tiles.
-    pub(crate) fn afforded(
+    pub(crate) fn with_affordable_accuracy(
         &self,
         scatterer: &Scatterer<'_>,
         meetings: &[OrderJoints],
@@ -63,7 +63,7 @@ impl AspectSettings {
             return Ok(self.clone());
         }
         let joints = meetings.iter().map(|meeting| &meeting.facets);
-        let accuracy = afforded(scatterer, joints, &self.integration(rule), self.most_tiles)?;
+        let accuracy = affordable_accuracy(scatterer, joints, &self.integration(rule), self.most_tiles)?;
         Ok(Self { accuracy, ..self.clone() })
     }
 
@@ -116,7 +116,7 @@ pub(crate) enum Finer {
 
 impl Finer {
     /// Comparison integrals for some meetings: much finer ones if facets have few tiles.
-    pub(crate) fn beside(
+    pub(crate) fn comparison(
         scatterer: &Scatterer<'_>,
         meetings: &[OrderJoints],
         integration: &Integration<'_>,

@@ -8,14 +8,14 @@ use crate::edges::lit_edge::EdgeJoint;
 use crate::edges::truncation::{Truncation, truncation_share};
 use crate::geometry::antenna::Antenna;
 use crate::geometry::facet_geometry::FacetGeometry;
-use crate::joins::afforded::afforded;
+use crate::joins::affordable_accuracy::affordable_accuracy;
 use crate::joins::joint::{Joint, Joints, Trees};
 use crate::joins::scatterer::{Integration, Scatterer, ZenithH, bracket_of, sequence};
-use crate::oversight::error::BartError;
-use crate::table::meeting::{MeetingSettings, OrderJoints};
-use crate::table::other_skins::skin;
+use crate::run_control::error::BartError;
+use crate::table::order_joints::{JointSettings, OrderJoints};
 use crate::table::rcs_request::{Aspect, RcsRequest, traced_aspects};
 use crate::table::rcs_table::{aspect_settings, check};
+use crate::table::skin_comparison::skin;
 use artifact::paths::Amplitude;
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;
@@ -56,7 +56,7 @@ pub fn contributions(
     let trees = receive.as_ref().map_or(Trees::Shared(&transmit), |tree| Trees::Apart(&transmit, tree));
     let scatterer = Scatterer::new(&world, trees, zenith_h(aspect));
     let wavenumbers_per_m = request.wavenumbers_per_m();
-    let what = MeetingSettings {
+    let what = JointSettings {
         nodes: request.nodes,
         edges: request.edges,
         least_area_m2: settings.trace.least_area_m2,
@@ -69,9 +69,9 @@ pub fn contributions(
     };
     let facets = |order: u8| scatterer.joints(order, request.nodes, settings.trace.least_area_m2);
     let all: Vec<Joints> = (1..=request.bounces).map(facets).collect();
-    let accuracy = afforded(&scatterer, all.iter(), &integration, settings.most_tiles)?;
+    let accuracy = affordable_accuracy(&scatterer, all.iter(), &integration, settings.most_tiles)?;
     let integration = Integration { accuracy, ..integration };
-    let teller = Teller { scatterer, what, integration, polarization: request.polarization };
+    let teller = AspectContributions { scatterer, what, integration, polarization: request.polarization };
     Ok(by_sequence((1..=request.bounces).flat_map(|order| teller.of_order(order)).collect()))
 }
 
@@ -80,19 +80,19 @@ fn zenith_h(aspect: &Aspect) -> ZenithH {
 }
 
 /// Data for the contributions at one aspect.
-struct Teller<'a> {
+struct AspectContributions<'a> {
     scatterer: Scatterer<'a>,
-    what: MeetingSettings,
+    what: JointSettings,
     /// Integration at the first frequency.
     integration: Integration<'a>,
     polarization: Polarization,
 }
 
 /// Contribution with the number of its edge, if any.
-type Found = (Option<u32>, Contribution);
+type NumberedContribution = (Option<u32>, Contribution);
 
-impl Teller<'_> {
-    fn of_order(&self, order: u8) -> Vec<Found> {
+impl AspectContributions<'_> {
+    fn of_order(&self, order: u8) -> Vec<NumberedContribution> {
         let OrderJoints { facets, edges, truncations } = OrderJoints::of(&self.scatterer, order, &self.what);
         let of_facets =
             facets.list.par_iter().map(|joint| (None, self.of_joint(joint, facets.polygon(joint))));
@@ -182,12 +182,12 @@ fn meeting_m(x_m: DVec3, image: Antenna, mirror: &FacetGeometry) -> DVec3 {
 }
 
 /// Sums the pieces of one sequence and edge; the strongest piece provides the ray.
-fn by_sequence(mut found: Vec<Found>) -> Vec<Contribution> {
-    fn key((edge, contribution): &Found) -> (&[u32], Option<u32>) {
+fn by_sequence(mut found: Vec<NumberedContribution>) -> Vec<Contribution> {
+    fn key((edge, contribution): &NumberedContribution) -> (&[u32], Option<u32>) {
         (&contribution.triangles, *edge)
     }
     found.sort_by(|a, b| key(a).cmp(&key(b)));
-    let sum = |group: &[Found]| {
+    let sum = |group: &[NumberedContribution]| {
         let strongest =
             group.iter().fold(&group[0].1, |best, (_, c)| if power(c) > power(best) { c } else { best });
         Contribution { amplitude_m: group.iter().map(|(_, c)| c.amplitude_m).sum(), ..strongest.clone() }

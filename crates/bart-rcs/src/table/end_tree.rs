@@ -3,8 +3,8 @@
 use crate::beams::beam::{BeamTree, GrowingTree, TraceSettings};
 use crate::bodies::world::World;
 use crate::geometry::antenna::Antenna;
-use crate::oversight::error::BartError;
-use crate::oversight::progress::Progress;
+use crate::run_control::error::BartError;
+use crate::run_control::progress::Progress;
 
 /// A tree and the number of its orders requested by an aspect.
 pub(crate) enum EndTree<'a> {

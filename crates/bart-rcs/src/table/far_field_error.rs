@@ -6,8 +6,8 @@
 //! field; this is the warning attached to it.
 
 use crate::bodies::world::World;
-use crate::oversight::called_off::CalledOff;
-use crate::oversight::error::BartError;
+use crate::run_control::cancellation::CancellationCheck;
+use crate::run_control::error::BartError;
 use crate::table::aspect::{Scattering, scattering};
 use crate::table::aspect_settings::{AspectSettings, Check, Checks, IntegralsCheck};
 use crate::table::rcs_request::{Aspect, RcsRequest, traced_aspects};
@@ -61,7 +61,7 @@ pub(crate) fn far_field_error(
     request: &RcsRequest,
     settings: &AspectSettings,
     table: &[Scattering],
-    called_off: CalledOff<'_>,
+    cancellation: CancellationCheck<'_>,
 ) -> Result<Option<FarFieldError>, BartError> {
     let chosen = chosen_aspects(table.len());
     if request.range_m.is_finite() || chosen.is_empty() {
@@ -83,7 +83,7 @@ pub(crate) fn far_field_error(
         .flat_map(|there| chosen.iter().map(move |&index| (index, there[index])))
         .collect();
     let compare = |&(index, aspect): &(usize, Aspect)| {
-        called_off.check()?;
+        cancellation.check()?;
         let checks = Checks { integrals: IntegralsCheck::Skipped, model: Check::Skipped };
         let spherical = scattering(world, &aspect, &settings, checks)?;
         let near: Vec<Complex64> = (0..frequencies.len()).map(|f| spherical.total_m(f)).collect();

@@ -6,7 +6,7 @@
 //! unfollowed ones falls with the square of the minimum area; if all facets are small it falls with the area
 //! itself. The second, slower law is used.
 
-use crate::oversight::error::BartError;
+use crate::run_control::error::BartError;
 use crate::table::aspect::Scattering;
 use crate::table::aspect_settings::AspectSettings;
 use artifact::units::amplitude_ratio;
@@ -67,7 +67,7 @@ impl FinerMirrors {
 
     /// Aspects to be retraced, ascending: those that drop more than `asked` of the table's level, if the
     /// total does.
-    pub(crate) fn asked_for(&mut self, table: &[Scattering], asked: f64) -> Vec<usize> {
+    pub(crate) fn aspects_to_retrace(&mut self, table: &[Scattering], asked: f64) -> Vec<usize> {
         if dropped_error(table) <= asked || self.times == MOST_TIMES {
             return Vec::new();
         }

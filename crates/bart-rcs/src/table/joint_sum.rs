@@ -1,7 +1,7 @@
 //! S of joints over frequency: tiles are grouped by length and evaluated at few frequencies (see
 //! [`crate::joins::band`]).
 
-use crate::joins::band::{self, Band, Groups, INTERPOLATION_ERROR, Kind};
+use crate::joins::band::{self, Band, ContributionKind, Groups, INTERPOLATION_ERROR};
 use crate::joins::joint::{Joint, Joints};
 use crate::joins::scatterer::{Integration, JointTile, Scatterer};
 use artifact::paths::Amplitude;
@@ -21,7 +21,7 @@ pub(crate) fn sum_of_joints(
     // The result for a plane wave on flat facets is exact, and stays so.
     let is_exact = scatterer.is_far() && scatterer.world.skin_error() == 0.0;
     let error = if is_exact { f64::EPSILON } else { INTERPOLATION_ERROR * integration.accuracy };
-    let Some(band) = Band::new(integration.wavenumbers_per_m, error, Kind::Facets) else {
+    let Some(band) = Band::new(integration.wavenumbers_per_m, error, ContributionKind::Facets) else {
         return sum_at_each(scatterer, joints, origin_m, integration);
     };
     let (done, all) = (AtomicUsize::new(0), joints.list.len());
@@ -30,7 +30,7 @@ pub(crate) fn sum_of_joints(
         let mut groups = Groups::new();
         for joint in run {
             let mut give = |tile: &JointTile<'_>| {
-                tile.add_to(&mut band.group(tile.way(), &mut groups));
+                tile.add_to(&mut band.group(tile.path_length_range(), &mut groups));
             };
             scatterer.for_each_tile(
                 joint,
@@ -70,7 +70,7 @@ const JOINTS_PER_RUN: usize = 256;
 mod tests {
     use super::*;
     use crate::beams::beam::{BeamTree, TraceSettings};
-    use crate::beams::image_tree::Received;
+    use crate::beams::image_tree::RoadTree;
     use crate::bodies::road_mirror::image;
     use crate::bodies::world::World;
     use crate::geometry::antenna::Antenna;
@@ -186,7 +186,7 @@ mod tests {
             least_mirror_area_m2: 1e-7,
         };
         let tree = BeamTree::trace(&world, antenna, &trace).unwrap();
-        let received = Received::with_image(&world, &tree);
+        let received = RoadTree::with_image(&world, &tree);
         let traced = BeamTree::trace(&world, image(antenna), &trace).unwrap();
         let section = |tree: &BeamTree| tree.beams.iter().map(|beam| beam.section).sum::<f64>();
         assert_eq!(received.tree.beams.len(), tree.beams.len() + traced.beams.len());

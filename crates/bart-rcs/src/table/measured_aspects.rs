@@ -25,12 +25,12 @@ const OTHERS: usize = 2;
 const OF_TWO: f64 = 3.0;
 
 /// Indices of the measured aspects, ascending; in a small table all are strong.
-pub(crate) struct Drawn {
+pub(crate) struct MeasuredAspects {
     strong: Vec<usize>,
     others: Vec<usize>,
 }
 
-impl Drawn {
+impl MeasuredAspects {
     fn by(powers: &[f64]) -> Self {
         if powers.len() <= ALL_UP_TO {
             return Self { strong: (0..powers.len()).collect(), others: vec![] };
@@ -90,7 +90,7 @@ pub(crate) fn strongest(table: &[Scattering], most: usize) -> Vec<usize> {
 /// 1e-12.
 pub(crate) fn measured_error(table: &[Scattering]) -> f64 {
     const ROUNDING: f64 = 1e-12;
-    let error_power = Drawn::of(table).error_power(table);
+    let error_power = MeasuredAspects::of(table).error_power(table);
     amplitude_ratio(error_power, table.iter().map(Scattering::mean_power).sum()).max(ROUNDING)
 }
 
@@ -99,7 +99,7 @@ pub(crate) fn measured_error(table: &[Scattering]) -> f64 {
 /// a wave three times as strong without the layers.
 pub(crate) fn interpolation_error(world: &World, frequencies: usize, bound: f64) -> f64 {
     const FEWEST_FREQUENCIES: usize = 3;
-    let is_interpolated = world.knows_frequency() && frequencies >= FEWEST_FREQUENCIES;
+    let is_interpolated = world.is_dispersive() && frequencies >= FEWEST_FREQUENCIES;
     if is_interpolated { INTERPOLATION_ERROR * bound } else { 0.0 }
 }
 
@@ -108,7 +108,7 @@ mod tests {
     use super::*;
 
     fn drawn(powers: &[f64]) -> [Vec<usize>; 2] {
-        let drawn = Drawn::by(powers);
+        let drawn = MeasuredAspects::by(powers);
         [drawn.strong, drawn.others]
     }
 

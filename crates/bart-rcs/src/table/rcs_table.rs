@@ -5,19 +5,19 @@ use crate::beams::beam::{BeamTree, TraceSettings};
 use crate::bodies::world::World;
 use crate::joins::join::tree_order;
 use crate::joins::scatterer::check_order;
-use crate::oversight::called_off::CalledOff;
-use crate::oversight::error::BartError;
-use crate::oversight::memory::{MemoryLimit, memory_estimate_bytes};
-use crate::oversight::progress::{Phase, Progress};
-use crate::oversight::work_meter::WorkMeter;
-use crate::table::aspect::{Company, Scattering, scattering_with};
+use crate::run_control::cancellation::CancellationCheck;
+use crate::run_control::error::BartError;
+use crate::run_control::memory::{MemoryLimit, memory_estimate_bytes};
+use crate::run_control::progress::{Phase, Progress};
+use crate::run_control::work_meter::WorkMeter;
+use crate::table::aspect::{AspectContext, Scattering, scattering_with};
 use crate::table::aspect_settings::{AspectSettings, Check, Checks, IntegralsCheck};
+use crate::table::checkpoint::{CheckpointKey, CheckpointStore, NoCheckpoint};
 use crate::table::far_field_error::{FarFieldError, far_field_error};
 use crate::table::finer_mirrors::{FinerMirrors, dropped_error};
-use crate::table::keeper::{Keeper, NothingKept, Piece};
-use crate::table::measured_aspects::{ALL_UP_TO, Drawn, interpolation_error, measured_error};
-use crate::table::other_skins::{OtherSkins, skin};
+use crate::table::measured_aspects::{ALL_UP_TO, MeasuredAspects, interpolation_error, measured_error};
 use crate::table::rcs_request::{Aspect, RcsRequest, traced_aspects};
+use crate::table::skin_comparison::{SkinComparison, skin};
 use artifact::scene::Mesh;
 use artifact::settings::{Edges, NodeRule};
 use artifact::units::amplitude_ratio;
@@ -38,7 +38,7 @@ pub struct RcsResult {
     /// Number of beams by order of their tree, over all aspects and both ends; orders needed only for the
     /// comparison of node rules are traced where that is made.
     pub beams: Vec<u64>,
-    /// Work by phase, as measured by [`Surroundings::clock_s`]: of all threads, and of all runs from which
+    /// Work by phase, as measured by [`RcsContext::clock_s`]: of all threads, and of all runs from which
     /// aspects were kept.
     pub seconds: RcsSeconds,
     /// Whether S is mere rounding relative to the other polarizations, like the cross-polarized component of
@@ -56,15 +56,15 @@ pub struct RcsResult {
     /// square |S|.
     pub dropped_at_most: f64,
     /// Mirrors followed to keep the dropped part within the accuracy.
-    pub mirrors: Followed,
+    pub mirrors: MirrorRefinement,
     /// Error of the table at the ranges of a road; `None` if it has a finite range, or is too small to
     /// measure it.
     pub far_field: Option<FarFieldError>,
 }
 
-/// Followed mirrors.
+/// Refinement of the smallest followed mirrors.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Followed {
+pub struct MirrorRefinement {
     /// Smallest area across the wave over all aspects, m².
     pub least_area_m2: f64,
     /// Number of aspects retraced with smaller mirrors than the rest.
@@ -110,40 +110,40 @@ pub fn rcs(
     rcs_within(
         mesh,
         request,
-        &Surroundings {
+        &RcsContext {
             memory_limit,
-            keeper: &NothingKept,
+            checkpoint: &NoCheckpoint,
             progress: &aspects,
             clock_s,
-            called_off: CalledOff::NEVER,
+            cancellation: CancellationCheck::NEVER,
         },
     )
 }
 
-/// Context in which a table is made.
-pub struct Surroundings<'a> {
+/// Context in which a table is made: limits, checkpoint, progress, clock, cancellation.
+pub struct RcsContext<'a> {
     /// Memory limit: a mesh predicted to need more is refused before it is traced, and trees that exceed
     /// their share are abandoned with an error.
     pub memory_limit: MemoryLimit,
     /// Storage of finished aspects, which are not computed again; the result is the same to the byte.
-    pub keeper: &'a dyn Keeper,
+    pub checkpoint: &'a dyn CheckpointStore,
     /// Receiver of progress reports.
     pub progress: &'a dyn Progress,
     /// Processor time of the program so far, s, over all processors: the basis of [`RcsSeconds`].
     pub clock_s: &'a (dyn Fn() -> f64 + Sync),
-    /// Asked before each aspect is begun; a table that was called off is none.
-    pub called_off: CalledOff<'a>,
+    /// Checked before each aspect is begun; a cancelled table has no result.
+    pub cancellation: CancellationCheck<'a>,
 }
 
 /// Like [`rcs`], in a context that may limit it and store finished aspects.
 pub fn rcs_within(
     mesh: &Mesh,
     request: &RcsRequest,
-    surroundings: &Surroundings<'_>,
+    context: &RcsContext<'_>,
 ) -> Result<RcsResult, BartError> {
     check(request)?;
-    let limit = surroundings.memory_limit;
-    let meter = WorkMeter::new(surroundings.clock_s);
+    let limit = context.memory_limit;
+    let meter = WorkMeter::new(context.clock_s);
     let start_s = meter.total_s();
     let count = request.elevation_rad.len() * request.azimuth_rad.len();
     let at_a_time = count.min(rayon::current_num_threads());
@@ -151,7 +151,7 @@ pub fn rcs_within(
         limit.check_estimate(triangles, memory_estimate_bytes(triangles, request.bounces, at_a_time))
     };
     fits(mesh.triangles.len())?;
-    surroundings.progress.at(Phase::Building, 0, 0);
+    context.progress.at(Phase::Building, 0, 0);
     let world = World::of_skin(mesh, skin(request))?;
     fits(world.facets().len())?;
     let limit = limit.shared(world.bytes() as u64, at_a_time);
@@ -162,7 +162,7 @@ pub fn rcs_within(
     let accuracy = first_bound(asked, &world, request.edges, aspects.len());
     let start_s = meter.total_s();
     let first = aspect_settings(request, &world, accuracy);
-    let received = tree_of_receiver(&world, &aspects, &first, surroundings.progress)?;
+    let received = tree_of_receiver(&world, &aspects, &first, context.progress)?;
     let trace = meter.total_s() - start_s;
     let meter = &meter;
     let sweep = SharedByAspects {
@@ -170,26 +170,27 @@ pub fn rcs_within(
         aspects: &aspects,
         edges: request.edges,
         received: received.as_ref(),
-        surroundings,
+        context,
         meter,
     };
     let FineTable { table, settings, mirrors } = sweep.fine_table(first, asked)?;
     let mut result = result(request, &table, build);
     let (traced_again, share) = mirrors.reached();
-    result.mirrors = Followed { least_area_m2: share * settings.trace.least_mirror_area_m2, traced_again };
+    result.mirrors =
+        MirrorRefinement { least_area_m2: share * settings.trace.least_mirror_area_m2, traced_again };
     if result.vanishes {
         return Ok(result);
     }
     let interpolation = interpolation_error(&world, request.frequency_hz.len(), settings.accuracy);
     result.error.integration = result.error.integration.map(|error| error.max(interpolation));
     let start_s = meter.total_s();
-    surroundings.progress.at(Phase::Checking, 0, 0);
-    let called_off = surroundings.called_off;
+    context.progress.at(Phase::Checking, 0, 0);
+    let cancellation = context.cancellation;
     let other =
-        OtherSkins { mesh, request, aspects: &aspects, settings: &settings, table: &table, called_off };
+        SkinComparison { mesh, request, aspects: &aspects, settings: &settings, table: &table, cancellation };
     result.error.tessellation = other.tessellation(&world)?;
     result.model_error.transmission = other.transmission_left_out()?;
-    result.far_field = far_field_error(&world, request, &settings, &table, called_off)?;
+    result.far_field = far_field_error(&world, request, &settings, &table, cancellation)?;
     result.seconds.trace += trace;
     result.seconds.check += meter.total_s() - start_s;
     Ok(result)
@@ -282,7 +283,7 @@ struct SharedByAspects<'a> {
     edges: Edges,
     /// Tree of a stationary receiver, which does not depend on the aspect.
     received: Option<&'a BeamTree>,
-    surroundings: &'a Surroundings<'a>,
+    context: &'a RcsContext<'a>,
     meter: &'a WorkMeter<'a>,
 }
 
@@ -320,7 +321,7 @@ impl SharedByAspects<'_> {
     fn fine_table(&self, mut settings: AspectSettings, asked: f64) -> Result<FineTable, BartError> {
         let all: Vec<usize> = (0..self.aspects.len()).collect();
         let mut mirrors = FinerMirrors::of_none(all.len());
-        let first = self.made(&all, self.every_check(), &settings, &mirrors, 0);
+        let first = self.scatter(&all, self.every_check(), &settings, &mirrors, 0);
         let mut table = first.into_iter().collect::<Result<Vec<_>, _>>()?;
         for pass in 1.. {
             if vanishes(&table) {
@@ -331,7 +332,7 @@ impl SharedByAspects<'_> {
             let is_coarse = error > asked
                 && settings.accuracy >= 1e-4 * asked
                 && !(settings.most_tiles == MOST_TILES && is_bounded(&table, &settings));
-            let again = if is_coarse { all.clone() } else { mirrors.asked_for(&table, asked) };
+            let again = if is_coarse { all.clone() } else { mirrors.aspects_to_retrace(&table, asked) };
             if again.is_empty() {
                 break;
             }
@@ -340,7 +341,7 @@ impl SharedByAspects<'_> {
                 // A little more than 10^⅔, the maximum growth in the number of tiles.
                 settings.most_tiles = (5 * settings.most_tiles).min(MOST_TILES);
             }
-            let found = self.made(&again, self.every_check(), &settings, &mirrors, pass);
+            let found = self.scatter(&again, self.every_check(), &settings, &mirrors, pass);
             again.iter().zip(found).try_for_each(|(&index, found)| mirrors.take(index, found, &mut table))?;
         }
         Ok(FineTable { table, settings, mirrors })
@@ -361,13 +362,13 @@ impl SharedByAspects<'_> {
         pass: u32,
     ) -> Result<(), BartError> {
         let unmeasured = |index: &usize| table[*index].error_power.is_none() && !self.is_exact(*index);
-        let drawn: Vec<usize> = Drawn::of(table).all().filter(unmeasured).collect();
-        let found = self.made(&drawn, IntegralsCheck::Compared, settings, mirrors, pass);
+        let drawn: Vec<usize> = MeasuredAspects::of(table).all().filter(unmeasured).collect();
+        let found = self.scatter(&drawn, IntegralsCheck::Compared, settings, mirrors, pass);
         drawn.iter().zip(found).try_for_each(|(&index, found)| mirrors.take(index, found, table))
     }
 
     /// Scattering of some aspects, in their order.
-    fn made(
+    fn scatter(
         &self,
         which: &[usize],
         integrals: IntegralsCheck,
@@ -380,13 +381,9 @@ impl SharedByAspects<'_> {
             let received = self.received.filter(|_| mirrors.is_first(index));
             let checks = self.checks(index, integrals);
             let settings = mirrors.settings(index, settings);
-            let wanted = self.surroundings.called_off.check();
+            let wanted = self.context.cancellation.check();
             let found = wanted.and_then(|()| self.aspect(index, received, &settings, checks, pass));
-            self.surroundings.progress.at(
-                Phase::Aspects,
-                done.fetch_add(1, Ordering::Relaxed) + 1,
-                which.len(),
-            );
+            self.context.progress.at(Phase::Aspects, done.fetch_add(1, Ordering::Relaxed) + 1, which.len());
             found
         };
         which.par_iter().map(one).collect()
@@ -401,16 +398,16 @@ impl SharedByAspects<'_> {
         checks: Checks,
         pass: u32,
     ) -> Result<Scattering, BartError> {
-        let keeper = self.surroundings.keeper;
-        let piece = Piece { pass, aspect: index as u32 };
+        let checkpoint = self.context.checkpoint;
+        let key = CheckpointKey { pass, aspect: index as u32 };
         let aspect = &self.aspects[index];
-        let kept = keeper.kept(piece).and_then(Scattering::from_bytes);
+        let kept = checkpoint.load(key).and_then(Scattering::from_bytes);
         if let Some(kept) = kept.filter(|kept| kept.is_of(settings, checks)) {
             return Ok(kept);
         }
-        let company = Company { received, progress: self.surroundings.progress, meter: self.meter };
-        scattering_with(self.world, aspect, settings, checks, &company)
-            .inspect(|done| keeper.keep(piece, &done.to_bytes()))
+        let context = AspectContext { received, progress: self.context.progress, meter: self.meter };
+        scattering_with(self.world, aspect, settings, checks, &context)
+            .inspect(|done| checkpoint.store(key, &done.to_bytes()))
     }
 
     fn checks(&self, index: usize, integrals: IntegralsCheck) -> Checks {

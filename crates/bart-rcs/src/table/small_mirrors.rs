@@ -25,8 +25,8 @@ use crate::edges::edge_scattering::part_amplitudes;
 use crate::edges::lit_edge::EdgeJoint;
 use crate::geometry::clip::doubled_area;
 use crate::joins::joint::{Joint, Trees};
-use crate::joins::scatterer::{Integration, Part, Scatterer, with_reverse};
-use crate::table::meeting::OrderJoints;
+use crate::joins::scatterer::{Integration, PolygonPart, Scatterer, with_reverse};
+use crate::table::order_joints::OrderJoints;
 use artifact::radar::Polarization;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -124,7 +124,7 @@ impl SmallMirrors {
     ) -> [f64; 2] {
         let highest = wavenumbers_per_m.iter().copied().fold(0.0, f64::max);
         let factor = highest / PI.sqrt();
-        let of_tree = |(end, tree): (usize, &BeamTree)| tree.audit.given_up(needed, self.shares(end));
+        let of_tree = |(end, tree): (usize, &BeamTree)| tree.audit.dropped_sections(needed, self.shares(end));
         let all = ends(trees).enumerate().map(of_tree).chain(overlaps);
         let [sum_m2, squares_m4] = all.fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]]);
         [factor * squares_m4.sqrt(), factor * sum_m2]
@@ -273,7 +273,8 @@ impl MirrorProbe<'_> {
         let scale = (sample.area_m2 / area_m2).min(1.0);
         let small_m: Vec<DVec3> =
             corners_m.iter().map(|x| middle_m + scale.sqrt() * (x - middle_m)).collect();
-        let part = Part { corners_m: &small_m, reference_m: middle_m, bracket: self.integration.bracket };
+        let part =
+            PolygonPart { corners_m: &small_m, reference_m: middle_m, bracket: self.integration.bracket };
         let amplitudes = self.scatterer.amplitudes(joint, &part, &[self.wavenumber_per_m], ACCURACY).value;
         let (p, q) = self.polarization.indices();
         let scattered = with_reverse(joint.reverse, &amplitudes[0])[p][q].norm_sqr();
@@ -326,7 +327,7 @@ mod tests {
     use crate::geometry::antenna::Antenna;
     use crate::joins::join::tree_order;
     use crate::joins::scatterer::{ZenithH, bracket_of};
-    use crate::table::meeting::MeetingSettings;
+    use crate::table::order_joints::JointSettings;
     use artifact::scene::Mesh;
     use artifact::settings::{Edges, NodeRule, Sides};
 
@@ -367,7 +368,7 @@ mod tests {
                 bracket: bracket_of(nodes),
             };
             let what =
-                MeetingSettings { nodes, edges, least_area_m2: 1e-9, wavenumber_per_m: WAVENUMBER_PER_M };
+                JointSettings { nodes, edges, least_area_m2: 1e-9, wavenumber_per_m: WAVENUMBER_PER_M };
             let mut mirrors = SmallMirrors::of(scatterer.trees, tree_order(2, nodes), least_mirror_area_m2);
             let mut power_m2 = 0.0;
             for order in 1..=2 {

@@ -8,7 +8,7 @@ use artifact::settings::{
     BetweenBodies, Detail, EchoMode, Edges, Fidelity, NodeRule, Noise, Sides, Surface, Wheels,
 };
 use artifact::{Accuracy, Radar, Waveform};
-use bart_rcs::{FrameSurroundings, PathView, RcsRequest, Standpoint, Tracer, rcs, scattering_of_paths};
+use bart_rcs::{FrameContext, PathView, RcsRequest, Standpoint, Tracer, rcs, scattering_of_paths};
 use glam::DVec3;
 use num_complex::Complex64;
 use radar::aperture::Preset;
@@ -85,7 +85,7 @@ pub(crate) fn radar() -> Radar {
 }
 
 pub(crate) fn trace(scene: &(SceneHeader, SceneFrame)) -> PathsFrame {
-    Tracer::new(&scene.0).unwrap().paths(&scene.0, &scene.1, &FrameSurroundings::ALONE).unwrap()
+    Tracer::new(&scene.0).unwrap().paths(&scene.0, &scene.1, &FrameContext::ALONE).unwrap()
 }
 
 /// S of the paths about the first target's origin at a moment.

@@ -25,8 +25,7 @@ use artifact::scene::{Pose, SceneFrame, SceneHeader};
 use artifact::settings::{BetweenBodies, Edges, NodeRule};
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use bart_rcs::{
-    BartError, FrameSurroundings, MemoryLimit, PathView, RcsRequest, Tracer, Unheard, rcs,
-    scattering_of_paths,
+    BartError, FrameContext, MemoryLimit, NoProgress, PathView, RcsRequest, Tracer, rcs, scattering_of_paths,
 };
 use bodies::carts::{cart, joined, mesh, parallelogram};
 use frames::{RADAR_M, anew, check_double_bounces, exact, of_paths, pose, radar, scene, trace};
@@ -126,7 +125,7 @@ fn cells_that_outgrow_their_memory_end_the_frame_and_enough_of_it_changes_nothin
     let (header, frame) = scene(&[(roof, pose([0.8, 0.3, 0.0], [8.0, 0.0, 0.0], 0.0))], &[], -20.0, 1);
     let traced = |mib: u64| {
         let tracer = Tracer::new(&header).unwrap().within(MemoryLimit::of_bytes(mib << 20));
-        tracer.paths(&header, &frame, &FrameSurroundings::ALONE)
+        tracer.paths(&header, &frame, &FrameContext::ALONE)
     };
     let Err(BartError::CellsTakeTooMuchMemory { bytes, limit_bytes }) = traced(1) else { panic!("it fits") };
     assert!(bytes > limit_bytes && (1 << 19..=1 << 20).contains(&limit_bytes));
@@ -244,9 +243,9 @@ fn a_frame_like_itself_has_the_paths_it_would_have_and_one_like_an_empty_frame_i
     let start = pose([5.75, 30.0, 0.0], [0.0, -9.0, 0.0], -FRAC_PI_2);
     let (header, frame) = scene(&[(cart(0.1), start)], &[(2.0, start)], -20.0, 3);
     let tracer = Tracer::new(&header).unwrap();
-    let measured = tracer.paths(&header, &frame, &FrameSurroundings::ALONE).unwrap();
+    let measured = tracer.paths(&header, &frame, &FrameContext::ALONE).unwrap();
     let like = tracer
-        .paths(&header, &frame, &FrameSurroundings { like: Some(&measured), ..FrameSurroundings::ALONE })
+        .paths(&header, &frame, &FrameContext { like: Some(&measured), ..FrameContext::ALONE })
         .unwrap();
     assert_eq!((measured.trace.origin, like.trace.origin), (ErrorOrigin::Measured, ErrorOrigin::TakenOver));
     assert!(
@@ -257,9 +256,7 @@ fn a_frame_like_itself_has_the_paths_it_would_have_and_one_like_an_empty_frame_i
     let empty = trace(&scene(&[], &[(2.0, start)], -20.0, 3));
     assert_eq!(empty.trace.fineness, None);
     assert_eq!(
-        tracer
-            .paths(&header, &frame, &FrameSurroundings { like: Some(&empty), ..FrameSurroundings::ALONE })
-            .unwrap(),
+        tracer.paths(&header, &frame, &FrameContext { like: Some(&empty), ..FrameContext::ALONE }).unwrap(),
         measured
     );
 }
@@ -278,11 +275,7 @@ fn frames_that_take_an_error_over_err_about_as_it_tells() {
             let later = scene(&[(cart(lean), at(f64::from(step)))], &[], accuracy_db, 3);
             let frame = Tracer::new(&later.0)
                 .unwrap()
-                .paths(
-                    &later.0,
-                    &later.1,
-                    &FrameSurroundings { like: Some(&measured), ..FrameSurroundings::ALONE },
-                )
+                .paths(&later.0, &later.1, &FrameContext { like: Some(&measured), ..FrameContext::ALONE })
                 .unwrap();
             let got = true_error(&later, &frame);
             let [told_db, got_db] = [told, got].map(|amplitude| 20.0 * amplitude.log10());
@@ -360,7 +353,7 @@ fn paths_of_edges_move_with_the_body_and_add_up_to_its_amplitude() {
         without.paths.len()
     );
     assert!(error <= printed && error < 0.1 && missed > 0.2);
-    let tables = Tracer::new(&scene.0).unwrap().tables(&scene.0, &scene.1, &Unheard).unwrap();
+    let tables = Tracer::new(&scene.0).unwrap().tables(&scene.0, &scene.1, &NoProgress).unwrap();
     assert!(tables.tables[0].amplitude_m.iter().all(|s| s.is_finite()));
 }
 
@@ -369,7 +362,7 @@ fn paths_of_edges_move_with_the_body_and_add_up_to_its_amplitude() {
 fn a_frames_table_holds_the_far_field_amplitude_and_says_how_far_from_the_spherical_wave_it_is() {
     let start = pose([5.75, 30.0, 0.0], [0.0, -10.0, 0.0], -FRAC_PI_2);
     let (header, frame) = scene(&[(cart(0.1), start)], &[(1.0, start)], -20.0, 2);
-    let tables = Tracer::new(&header).unwrap().tables(&header, &frame, &Unheard).unwrap();
+    let tables = Tracer::new(&header).unwrap().tables(&header, &frame, &NoProgress).unwrap();
     assert_eq!(tables.tables.len(), 2);
     assert_eq!(tables.tables[1].amplitude_m, [Complex64::from(1.0)]);
     let table = &tables.tables[0];
@@ -407,7 +400,7 @@ fn a_frames_table_holds_the_far_field_amplitude_and_says_how_far_from_the_spheri
 fn a_frames_table_reaches_below_the_sweep_by_what_the_delay_takes_off() {
     let start = pose([5.75, 300.0, 0.0], [0.0, 10.0, 0.0], -FRAC_PI_2);
     let (header, frame) = scene(&[(cart(0.1), start)], &[], -20.0, 1);
-    let tables = Tracer::new(&header).unwrap().tables(&header, &frame, &Unheard).unwrap();
+    let tables = Tracer::new(&header).unwrap().tables(&header, &frame, &NoProgress).unwrap();
     let waveform = &header.radar.waveform;
     let lowest_hz = waveform.start_frequency_hz - waveform.slope_hz_per_s * 2.0 * 300.0 / SPEED_OF_LIGHT_MPS;
     let got_hz = tables.tables[0].frequency_hz[0];
@@ -424,7 +417,7 @@ fn a_frames_table_of_falling_chirps_reaches_above_the_sweep_by_what_the_delay_ad
     waveform.slope_hz_per_s = -waveform.slope_hz_per_s;
     let highest_hz = waveform.start_frequency_hz - waveform.slope_hz_per_s * 2.0 * 300.0 / SPEED_OF_LIGHT_MPS;
     let lowest_hz = waveform.start_frequency_hz + waveform.bandwidth_hz();
-    let tables = Tracer::new(&header).unwrap().tables(&header, &frame, &Unheard).unwrap();
+    let tables = Tracer::new(&header).unwrap().tables(&header, &frame, &NoProgress).unwrap();
     let [first_hz, .., last_hz] = tables.tables[0].frequency_hz[..] else { panic!("a lone frequency") };
     println!("asked {lowest_hz} to {highest_hz} Hz, got {first_hz} to {last_hz}");
     assert!(last_hz >= highest_hz && (first_hz - lowest_hz).abs() < 1.0);
@@ -437,7 +430,7 @@ fn every_second_value_of_a_tables_axes_is_half_as_fine_all_along() {
         let start = pose([5.75, 30.0, 0.0], [2.0, -12.0, 0.0], -FRAC_PI_2);
         let (mut header, frame) = scene(&[(cart(0.1), start)], &[], accuracy_db, 1);
         header.radar.waveform.samples = 64;
-        let tables = Tracer::new(&header).unwrap().tables(&header, &frame, &Unheard).unwrap();
+        let tables = Tracer::new(&header).unwrap().tables(&header, &frame, &NoProgress).unwrap();
         let table = &tables.tables[0];
         for axis in [&table.frequency_hz, &table.elevation_rad, &table.azimuth_rad] {
             println!("{accuracy_db} dB: {} values", axis.len());
@@ -457,7 +450,8 @@ fn a_frames_table_holds_every_aspect_that_a_body_shows_in_it() {
         frame.poses[0].position_m[0] = -20.0 * share * duration_s;
         frame.poses[0].yaw_radps = yaw_radps;
         let elevation_rad =
-            &Tracer::new(&header).unwrap().tables(&header, &frame, &Unheard).unwrap().tables[0].elevation_rad;
+            &Tracer::new(&header).unwrap().tables(&header, &frame, &NoProgress).unwrap().tables[0]
+                .elevation_rad;
         let [first, last] = [elevation_rad[0], elevation_rad[elevation_rad.len() - 1]];
         let step = (last - first) / (elevation_rad.len().max(2) - 1) as f64;
         for i in 0..=100 {
@@ -468,7 +462,7 @@ fn a_frames_table_holds_every_aspect_that_a_body_shows_in_it() {
     }
     let standing = Pose { yaw_radps: 0.35, ..pose([-7.3, 12.1, 0.0], [0.0; 3], 0.4) };
     let (header, frame) = scene(&[(cart(0.1), standing)], &[], -20.0, 1);
-    let table = &Tracer::new(&header).unwrap().tables(&header, &frame, &Unheard).unwrap().tables[0];
+    let table = &Tracer::new(&header).unwrap().tables(&header, &frame, &NoProgress).unwrap().tables[0];
     assert_eq!((table.elevation_rad.len(), table.azimuth_rad.len() > 1), (1, true));
 }
 
@@ -486,7 +480,7 @@ fn the_far_field_error_of_a_large_plate_is_told_of_the_spherical_wave() {
     let error_db = 20.0
         * Tracer::new(&header)
             .unwrap()
-            .tables(&header, &frame, &Unheard)
+            .tables(&header, &frame, &NoProgress)
             .unwrap()
             .model_error
             .far_field
@@ -522,7 +516,7 @@ fn a_radar_inside_a_closed_body_is_refused_with_that_bodys_name() {
     for about in [closed.clone(), turned, either_way] {
         let about = (about, pose(RADAR_M, [0.0; 3], 0.3));
         let (header, frame) = scene(&[(closed.clone(), far), about, (cart(0.1), beside)], &[], -20.0, 1);
-        let found = Tracer::new(&header).unwrap().paths(&header, &frame, &FrameSurroundings::ALONE);
+        let found = Tracer::new(&header).unwrap().paths(&header, &frame, &FrameContext::ALONE);
         let Err(BartError::AntennaEnclosed { bodies, share }) = found else { panic!("it is not refused") };
         assert!(bodies == ["body-1"] && share > 0.999, "{bodies:?} {share}");
     }

@@ -6,7 +6,7 @@ use crate::true_error;
 use artifact::paths::PathsFrame;
 use artifact::radar::Pattern;
 use artifact::scene::{Mesh, Pose, SceneFrame, SceneHeader};
-use bart_rcs::{Tracer, Unheard};
+use bart_rcs::{NoProgress, Tracer};
 use std::f64::consts::FRAC_PI_2;
 
 /// Azimuth of the plate off the boresight.
@@ -58,7 +58,7 @@ fn the_far_field_error_of_tables_is_told_of_what_is_heard() {
     let [cart, plate] = bodies();
     let told = |bodies: &[(Mesh, Pose)]| {
         let scene = in_a_beam(bodies);
-        let frame = Tracer::new(&scene.0).unwrap().tables(&scene.0, &scene.1, &Unheard).unwrap();
+        let frame = Tracer::new(&scene.0).unwrap().tables(&scene.0, &scene.1, &NoProgress).unwrap();
         20.0 * frame.model_error.far_field.unwrap().log10()
     };
     let (alone, beside) = (told(std::slice::from_ref(&cart)), told(&[cart.clone(), plate]));

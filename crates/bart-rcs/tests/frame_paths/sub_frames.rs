@@ -3,7 +3,7 @@
 use crate::bodies::carts::cart;
 use crate::frames::{pose, scene};
 use artifact::settings::Detail;
-use bart_rcs::{FrameSurroundings, Tracer, reduced};
+use bart_rcs::{FrameContext, Tracer, reduce_detail};
 use std::f64::consts::FRAC_PI_2;
 
 /// The second sub-frame is four times as long as the first, so the cart moves on four times as far.
@@ -16,8 +16,12 @@ fn a_level_of_detail_is_measured_over_the_sub_frame_of_its_frame() {
     header.radar.schedule.sub_frame_intervals_s = vec![interval_s, 4.0 * interval_s];
     frame.index = 1;
     let tracer = Tracer::new(&header).unwrap();
-    let all = tracer.all_paths(&header, &frame, &FrameSurroundings::ALONE).unwrap();
-    let made = tracer.paths(&header, &frame, &FrameSurroundings::ALONE).unwrap();
-    assert_eq!(made, reduced(&header.in_frame(1), all.clone()));
-    assert_ne!(made, reduced(&header.in_frame(0), all), "the sub-frames give the same, so nothing is tested");
+    let all = tracer.all_paths(&header, &frame, &FrameContext::ALONE).unwrap();
+    let made = tracer.paths(&header, &frame, &FrameContext::ALONE).unwrap();
+    assert_eq!(made, reduce_detail(&header.in_frame(1), all.clone()));
+    assert_ne!(
+        made,
+        reduce_detail(&header.in_frame(0), all),
+        "the sub-frames give the same, so nothing is tested"
+    );
 }

@@ -6,7 +6,7 @@ use artifact::Accuracy;
 use artifact::rcs::{RcsFrame, RcsTable};
 use artifact::scene::{Mesh, RoadWheel, SceneFrame, SceneHeader, TargetKind, Wheel};
 use artifact::settings::{Edges, Surface, Wheels};
-use bart_rcs::{RcsRequest, Tracer, Unheard, rcs};
+use bart_rcs::{NoProgress, RcsRequest, Tracer, rcs};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// A tube of radius 0.3 m and height 0.5 m, open at both ends, in strips of 15°.
@@ -25,7 +25,7 @@ fn tube() -> Mesh {
 }
 
 fn tables((header, frame): &(SceneHeader, SceneFrame)) -> RcsFrame {
-    Tracer::new(header).unwrap().tables(header, frame, &Unheard).unwrap()
+    Tracer::new(header).unwrap().tables(header, frame, &NoProgress).unwrap()
 }
 
 /// Error of a table at its first aspect over frequency, by one of the body's own as fine as −60 dB.
@@ -59,7 +59,7 @@ fn tables_of_what_turns_on_a_body_are_refused_by_name() {
     let start = pose([4.0, 30.0, 0.3], [3.0, 0.0, 0.0], 0.0);
     let mut scene = scene(&[(body, start)], &[(1.0, start)], -20.0, 1);
     let refused = |scene: &(SceneHeader, SceneFrame)| {
-        let tables = Tracer::new(&scene.0).unwrap().tables(&scene.0, &scene.1, &Unheard);
+        let tables = Tracer::new(&scene.0).unwrap().tables(&scene.0, &scene.1, &NoProgress);
         tables.err().map_or_else(String::new, |error| error.to_string())
     };
     assert_eq!(refused(&scene), "", "wheels that stand still are part of the body");

@@ -8,7 +8,7 @@ use artifact::paths::PathsFrame;
 use artifact::radar::Polarization;
 use artifact::scene::{Mesh, Pose, RoadWheel, SceneFrame, SceneHeader};
 use artifact::settings::Wheels;
-use bart_rcs::{FrameSurroundings, Tracer};
+use bart_rcs::{FrameContext, Tracer};
 use glam::{DMat3, DVec3};
 use radar::motion::pose_after;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -206,9 +206,9 @@ fn a_frame_like_a_measured_one_blends_its_wheels_as_that_did() {
     let start = pose([-1.5, 12.0, 0.0], [10.0, 4.0, 0.0], 0.3);
     let (header, frame) = turning(scene(&[(car(), start)], &[], -20.0, 1));
     let tracer = Tracer::new(&header).unwrap();
-    let measured = tracer.paths(&header, &frame, &FrameSurroundings::ALONE).unwrap();
-    let surroundings = FrameSurroundings { like: Some(&measured), ..FrameSurroundings::ALONE };
-    let like = tracer.paths(&header, &frame, &surroundings).unwrap();
+    let measured = tracer.paths(&header, &frame, &FrameContext::ALONE).unwrap();
+    let context = FrameContext { like: Some(&measured), ..FrameContext::ALONE };
+    let like = tracer.paths(&header, &frame, &context).unwrap();
     assert!(measured.trace.fineness.as_ref().unwrap().moments > 1);
     assert!(like.paths == measured.paths);
 }

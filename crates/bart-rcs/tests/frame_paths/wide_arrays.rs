@@ -9,7 +9,7 @@ use artifact::paths::PathsFrame;
 use artifact::radar::Polarization;
 use artifact::scene::{SceneFrame, SceneHeader};
 use artifact::units::SPEED_OF_LIGHT_MPS;
-use bart_rcs::{FrameSurroundings, PathView, Tracer, scattering_of_paths};
+use bart_rcs::{FrameContext, PathView, Tracer, scattering_of_paths};
 use glam::DVec3;
 use num_complex::Complex64;
 use radar::aperture::Preset;
@@ -84,8 +84,8 @@ fn a_frame_like_one_that_is_blended_over_the_array_is_blended_as_that_one() {
     let scene = at_rest(-20.0);
     let measured = trace(&scene);
     assert!(places(&measured) > 1, "one place does not do");
-    let surroundings = FrameSurroundings { like: Some(&measured), ..FrameSurroundings::ALONE };
-    let like = Tracer::new(&scene.0).unwrap().paths(&scene.0, &scene.1, &surroundings).unwrap();
+    let context = FrameContext { like: Some(&measured), ..FrameContext::ALONE };
+    let like = Tracer::new(&scene.0).unwrap().paths(&scene.0, &scene.1, &context).unwrap();
     assert!(like.paths == measured.paths && like.trace.fineness == measured.trace.fineness);
 }
 

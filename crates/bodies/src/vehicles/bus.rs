@@ -4,15 +4,15 @@ mod form;
 mod skin;
 mod trim;
 
-use crate::vehicles::dimensions::Draw;
+use crate::vehicles::dimensions::ParameterSampler;
 use crate::vehicles::drawing::mesh_builder::Assembly;
-use crate::vehicles::drawing::wheel::{Drive, Lining, Rim, Wheel, arch_lining, axle};
+use crate::vehicles::drawing::wheel::{ArchLiner, Drive, Rim, Wheel, arch_liner, axle};
 use form::Form;
 pub(crate) use form::size_range;
 
 /// Makes a whole bus in its drawing's axes, in the given size.
-pub(crate) fn draw(draw: &Draw, size_m: [f64; 3]) -> Assembly {
-    let form = Form::of(draw, size_m);
+pub(crate) fn draw(sampler: &ParameterSampler, size_m: [f64; 3]) -> Assembly {
+    let form = Form::of(sampler, size_m);
     let mut bus = Assembly::default();
     bus.add(skin::cut_skin(&form));
     running_gear(&form, &mut bus);
@@ -34,7 +34,7 @@ fn running_gear(form: &Form, bus: &mut Assembly) {
         if matches!(rim, Rim::SteelConcave) {
             wheel.add_inner_pair(bus, axle_x, outer_y - form.tyre_width_m - 0.03);
         }
-        bus.add_pair(arch_lining(&Lining {
+        bus.add_pair(arch_liner(&ArchLiner {
             axle: [axle_x, form.wheel_radius_m],
             radius_m: form.arch_radius_m() + 0.008,
             low_z: form.clearance_m + 0.01,

@@ -1,6 +1,6 @@
 //! Catalogue of all vehicles by name: the twelve models and the families, made by their classes.
 
-use crate::vehicles::dimensions::{Draw, SizeRange};
+use crate::vehicles::dimensions::{ParameterSampler, SizeRange};
 use crate::vehicles::drawing::mesh_builder::{Assembly, Vehicle};
 use crate::vehicles::family::{self, Family};
 use crate::vehicles::{bus, car, cycle, heavy, loft, motorcycle, truck};
@@ -82,28 +82,28 @@ pub(crate) fn size_range(name: &str) -> Option<SizeRange> {
 pub(crate) fn drawing(name: &str, seed: u64) -> Option<(Assembly, [f64; 3])> {
     match family::find(name) {
         Some(family) => Some(family_drawing(&family, seed)),
-        None => model_drawing(&Draw { model: name, seed }),
+        None => model_drawing(&ParameterSampler { model: name, seed }),
     }
 }
 
 fn family_drawing(family: &Family, seed: u64) -> (Assembly, [f64; 3]) {
-    let drawn = family.drawn(seed);
-    let [nominal_m, size_m] = drawn.sizes_m();
+    let parameters = family.parameters(seed);
+    let [nominal_m, size_m] = parameters.sizes_m();
     let parts = match family.class {
-        Class::Car | Class::Bus => loft::draw(&drawn, nominal_m, size_m),
-        Class::Truck => heavy::draw(&drawn, nominal_m, size_m),
-        Class::Motorcycle => cycle::draw(&drawn, nominal_m, size_m),
+        Class::Car | Class::Bus => loft::draw(&parameters, nominal_m, size_m),
+        Class::Truck => heavy::draw(&parameters, nominal_m, size_m),
+        Class::Motorcycle => cycle::draw(&parameters, nominal_m, size_m),
     };
     (parts, size_m)
 }
 
-fn model_drawing(draw: &Draw) -> Option<(Assembly, [f64; 3])> {
-    let size_m = draw.size_m(&size_range(draw.model)?);
-    let parts = match class_of(draw.model)? {
-        Class::Car => car::draw(draw, size_m),
-        Class::Bus => bus::draw(draw, size_m),
-        Class::Truck => truck::draw(draw, size_m),
-        Class::Motorcycle => motorcycle::draw(draw, size_m),
+fn model_drawing(sampler: &ParameterSampler) -> Option<(Assembly, [f64; 3])> {
+    let size_m = sampler.size_m(&size_range(sampler.model)?);
+    let parts = match class_of(sampler.model)? {
+        Class::Car => car::draw(sampler, size_m),
+        Class::Bus => bus::draw(sampler, size_m),
+        Class::Truck => truck::draw(sampler, size_m),
+        Class::Motorcycle => motorcycle::draw(sampler, size_m),
     };
     Some((parts, size_m))
 }

@@ -4,12 +4,12 @@ use std::ops::RangeInclusive;
 
 /// Draws the dimensions of one vehicle.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Draw<'a> {
+pub(crate) struct ParameterSampler<'a> {
     pub(crate) model: &'a str,
     pub(crate) seed: u64,
 }
 
-impl Draw<'_> {
+impl ParameterSampler<'_> {
     /// Draws a dimension: `nominal` for seed 0, else uniform over `range`; `what` names it, so that
     /// additional dimensions do not change others.
     pub(crate) fn value(&self, what: &str, nominal: f64, range: RangeInclusive<f64>) -> f64 {

@@ -9,7 +9,7 @@
 
 mod crosses; // half way between two families
 
-use crate::vehicles::dimensions::{Draw, SizeRange};
+use crate::vehicles::dimensions::{ParameterSampler, SizeRange};
 use artifact::settings::Class;
 use std::borrow::Cow;
 use std::sync::LazyLock;
@@ -87,8 +87,12 @@ pub(crate) fn crosses_of(class: Class) -> Vec<String> {
 
 impl Family {
     /// Values that a seed draws for the family.
-    pub(crate) fn drawn(&self, seed: u64) -> Drawn<'_> {
-        Drawn { draw: Draw { model: &self.name, seed }, table: &self.values, scope: String::new() }
+    pub(crate) fn parameters(&self, seed: u64) -> Parameters<'_> {
+        Parameters {
+            sampler: ParameterSampler { model: &self.name, seed },
+            table: &self.values,
+            scope: String::new(),
+        }
     }
 
     /// Overall dimensions for all seeds; the lower limit for a two-wheeler without rider is `bare_height_m`.
@@ -103,16 +107,16 @@ impl Family {
     }
 }
 
-/// One vehicle's values: a table and the seed for its draws.
+/// Parameters of one vehicle: a table and the seed for its draws.
 #[derive(Debug, Clone)]
-pub(crate) struct Drawn<'a> {
-    draw: Draw<'a>,
+pub(crate) struct Parameters<'a> {
+    sampler: ParameterSampler<'a>,
     table: &'a Table,
     /// Path of this table in the family's, so that equal keys of two parts are drawn independently.
     scope: String,
 }
 
-impl<'a> Drawn<'a> {
+impl<'a> Parameters<'a> {
     /// Nominal length, width and height, and the drawn ones.
     pub(crate) fn sizes_m(&self) -> [[f64; 3]; 2] {
         let bare = self.table.contains_key("bare_height_m") && !self.has("rider");
@@ -166,7 +170,8 @@ impl<'a> Drawn<'a> {
             Some(Value::String(word)) => word,
             Some(Value::Array(words)) if !words.is_empty() => {
                 let last = words.len() - 1;
-                let drawn = if self.draw.seed == 0 { 0.0 } else { self.fraction(key) * words.len() as f64 };
+                let drawn =
+                    if self.sampler.seed == 0 { 0.0 } else { self.fraction(key) * words.len() as f64 };
                 words[(drawn as usize).min(last)].as_str().unwrap_or_default()
             }
             _ => "",
@@ -174,16 +179,16 @@ impl<'a> Drawn<'a> {
     }
 
     /// The tables in a list, with the same seed.
-    pub(crate) fn tables(&self, key: &str) -> Vec<Drawn<'a>> {
+    pub(crate) fn tables(&self, key: &str) -> Vec<Parameters<'a>> {
         let inner = |(k, value): (usize, &'a Value)| {
             let table = value.as_table()?;
-            Some(Drawn { draw: self.draw, table, scope: format!("{}{key} {k}/", self.scope) })
+            Some(Parameters { sampler: self.sampler, table, scope: format!("{}{key} {k}/", self.scope) })
         };
         self.list(key).iter().enumerate().filter_map(inner).collect()
     }
 
     /// Whether the table has the key.
-    pub(crate) fn knows(&self, key: &str) -> bool {
+    pub(crate) fn has_key(&self, key: &str) -> bool {
         self.table.contains_key(key)
     }
 
@@ -193,12 +198,12 @@ impl<'a> Drawn<'a> {
 
     /// Draw from 0 to 1: just under a half for seed 0, so that likely parts are nominal.
     fn fraction(&self, key: &str) -> f64 {
-        self.draw.value(&format!("{}{key}", self.scope), 0.499, 0.0..=1.0)
+        self.sampler.value(&format!("{}{key}", self.scope), 0.499, 0.0..=1.0)
     }
 
     fn value(&self, key: &str, written: &Value) -> f64 {
         let [low, high] = bounds(written);
-        self.draw.value(&format!("{}{key}", self.scope), 0.5 * (low + high), low..=high)
+        self.sampler.value(&format!("{}{key}", self.scope), 0.5 * (low + high), low..=high)
     }
 }
 

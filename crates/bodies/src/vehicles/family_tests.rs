@@ -114,7 +114,7 @@ fn equal_seeds_give_equal_bytes_and_other_seeds_others() {
 #[test]
 fn two_wheelers_come_with_and_without_riders() {
     for family in family::all().iter().filter(|family| family.class == Class::Motorcycle) {
-        let ridden = (1..=24).filter(|seed| family.drawn(*seed).has("rider")).count();
+        let ridden = (1..=24).filter(|seed| family.parameters(*seed).has("rider")).count();
         // At 0.5 each, all or none of 24 are one in eight million; the seeds are fixed.
         assert!((1..24).contains(&ridden), "{}: {ridden} of 24", family.name);
     }
@@ -123,7 +123,7 @@ fn two_wheelers_come_with_and_without_riders() {
 #[test]
 fn every_drawn_value_is_keyed_by_the_family() {
     let lengths: BTreeSet<u64> =
-        family::all().iter().map(|f| f.drawn(5).number("tyre_width_m").to_bits()).collect();
+        family::all().iter().map(|f| f.parameters(5).number("tyre_width_m").to_bits()).collect();
     assert!(lengths.len() > 30, "{}", lengths.len());
 }
 

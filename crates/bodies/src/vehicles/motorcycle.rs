@@ -1,12 +1,12 @@
 //! Motorcycles with their riders: street, scooter, touring.
 
 pub(crate) mod parts;
-mod machine;
+mod nominal;
 mod scooter;
 mod street;
 mod touring;
 
-use crate::vehicles::dimensions::{Draw, SizeRange};
+use crate::vehicles::dimensions::{ParameterSampler, SizeRange};
 use crate::vehicles::drawing::mesh_builder::Assembly;
 use glam::DVec3;
 use parts::CycleWheel;
@@ -30,17 +30,17 @@ pub(crate) fn size_range(model: &str) -> SizeRange {
 }
 
 /// Makes a whole motorcycle in its drawing's axes, in the given size.
-pub(crate) fn draw(draw: &Draw, size_m: [f64; 3]) -> Assembly {
-    let nominal_m = size_range(draw.model).nominal_m;
-    let machine = match draw.model {
-        "motorcycle-street" => street::machine(draw),
-        "motorcycle-scooter" => scooter::machine(draw),
-        _ => touring::machine(draw),
+pub(crate) fn draw(sampler: &ParameterSampler, size_m: [f64; 3]) -> Assembly {
+    let nominal_m = size_range(sampler.model).nominal_m;
+    let nominal = match sampler.model {
+        "motorcycle-street" => street::nominal(sampler),
+        "motorcycle-scooter" => scooter::nominal(sampler),
+        _ => touring::nominal(sampler),
     };
     let stretch = DVec3::from_array(size_m) / DVec3::from_array(nominal_m);
     let mut motorcycle = Assembly::default();
-    motorcycle.add_all(machine.parts, |part| part.map(|p| p * stretch));
-    for wheel in [machine.front, machine.rear] {
+    motorcycle.add_all(nominal.parts, |part| part.map(|p| p * stretch));
+    for wheel in [nominal.front, nominal.rear] {
         // Wheels stay round when the axle moves.
         CycleWheel { axle_x: wheel.axle_x * stretch.x, ..wheel }.add(&mut motorcycle);
     }

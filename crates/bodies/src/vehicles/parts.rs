@@ -12,11 +12,11 @@ use crate::vehicles::drawing::solids::{
     bent, disc, ellipsoid, limb, pitched, rounded_box, section, smoothed, tube,
 };
 use crate::vehicles::drawing::surface::{Material, Surface};
-use crate::vehicles::family::Drawn;
+use crate::vehicles::family::Parameters;
 use glam::{DQuat, DVec3};
 
 /// Adds the present parts, stretched from the nominal drawing to the drawn size.
-pub(crate) fn add(family: &Drawn<'_>, stretch: DVec3, to: &mut Assembly) {
+pub(crate) fn add(family: &Parameters<'_>, stretch: DVec3, to: &mut Assembly) {
     for key in ["shared", "part"] {
         for part in family.tables(key).iter().filter(|part| is_there(family, part)) {
             add_part(part, stretch, to);
@@ -24,15 +24,15 @@ pub(crate) fn add(family: &Drawn<'_>, stretch: DVec3, to: &mut Assembly) {
     }
 }
 
-fn is_there(family: &Drawn<'_>, part: &Drawn<'_>) -> bool {
+fn is_there(family: &Parameters<'_>, part: &Parameters<'_>) -> bool {
     let asked = part.word("when").split_once('=');
     asked.is_none_or(|(key, word)| family.word(key) == word || (word == "yes" && family.has(key)))
-        && (!part.knows("chance") || part.has("chance"))
+        && (!part.has_key("chance") || part.has("chance"))
 }
 
-fn add_part(part: &Drawn<'_>, stretch: DVec3, to: &mut Assembly) {
+fn add_part(part: &Parameters<'_>, stretch: DVec3, to: &mut Assembly) {
     let count = part.number_or("repeat", 1.0) as u32;
-    let step = if part.knows("step") { DVec3::from_array(part.numbers("step")) } else { DVec3::ZERO };
+    let step = if part.has_key("step") { DVec3::from_array(part.numbers("step")) } else { DVec3::ZERO };
     let solid = solid(part);
     for k in 0..count {
         let placed = solid.clone().map(|p| (p + step * f64::from(k)) * stretch);
@@ -40,14 +40,14 @@ fn add_part(part: &Drawn<'_>, stretch: DVec3, to: &mut Assembly) {
     }
 }
 
-fn solid(part: &Drawn<'_>) -> Surface {
+fn solid(part: &Parameters<'_>) -> Surface {
     let material = material(part.word("material"));
     let sectors = part.number_or("sectors", 10.0) as usize;
     let solid = match part.word("solid") {
         "tube" => {
             let path = part.rows::<3>("path");
             let path =
-                if part.knows("bend") && path.len() > 2 { bent(&path, part.number("bend")) } else { path };
+                if part.has_key("bend") && path.len() > 2 { bent(&path, part.number("bend")) } else { path };
             return tube(&path, part.number("radius"), sectors.min(8), material);
         }
         "limb" => {
@@ -69,7 +69,7 @@ fn solid(part: &Drawn<'_>) -> Surface {
     pitched(solid, pitch).map(|p| turn * p).moved(x, y, z)
 }
 
-fn drum(part: &Drawn<'_>, sectors: usize, material: Material) -> Surface {
+fn drum(part: &Parameters<'_>, sectors: usize, material: Material) -> Surface {
     let drum = disc(part.number("radius"), part.number("length"), sectors, material);
     match part.word("axis") {
         "x" => drum.map(|p| DVec3::new(p.y, -p.x, p.z)),

@@ -1,7 +1,7 @@
 //! Promises of the vehicles.
 
 use crate::vehicles::catalogue::{NAMES, class_of, drawing, mesh, size_range, vehicle};
-use crate::vehicles::dimensions::Draw;
+use crate::vehicles::dimensions::ParameterSampler;
 use crate::vehicles::drawing::mesh_builder;
 use crate::vehicles::glb::glb;
 use artifact::scene::Mesh;
@@ -86,7 +86,8 @@ fn the_origin_is_the_middle_of_the_bounding_box_on_the_ground() {
 fn other_seeds_spread_every_dimension_within_its_range() {
     for name in NAMES {
         let size = size_range(name).unwrap();
-        let sizes_m: Vec<[f64; 3]> = (1..=8).map(|seed| Draw { model: name, seed }.size_m(&size)).collect();
+        let sizes_m: Vec<[f64; 3]> =
+            (1..=8).map(|seed| ParameterSampler { model: name, seed }.size_m(&size)).collect();
         for k in 0..3 {
             let [low, high] = size.range_m[k];
             let (least, most) =
@@ -102,7 +103,7 @@ fn other_seeds_spread_every_dimension_within_its_range() {
 #[test]
 fn a_mesh_has_the_dimensions_its_seed_draws() {
     for (name, seed, mesh) in every() {
-        let asked_m = Draw { model: name, seed: *seed }.size_m(&size_range(name).unwrap());
+        let asked_m = ParameterSampler { model: name, seed: *seed }.size_m(&size_range(name).unwrap());
         let (low, high) = bounds_m(mesh);
         assert!((high - low).abs_diff_eq(DVec3::from_array(asked_m), 2e-6), "{name} {seed}: {}", high - low);
     }

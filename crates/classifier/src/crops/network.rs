@@ -93,7 +93,7 @@ impl Block {
         let framed = input.framed(self.inputs);
         let kernels = self.weights.chunks_exact(self.inputs * KERNEL_SIDE * KERNEL_SIDE).zip(&self.bias);
         let halved =
-            kernels.flat_map(|(kernel, bias)| halved(&convolved(&framed, kernel, *bias), input.side));
+            kernels.flat_map(|(kernel, bias)| relu_max_pool(&convolved(&framed, kernel, *bias), input.side));
         Maps { side: input.side / 2, levels: halved.collect() }
     }
 }
@@ -138,7 +138,7 @@ fn add_weighed(row: &mut [f32], line: &[f32], weights: &[f32]) {
 }
 
 /// The largest of every 2 × 2 pixels and zero; an odd last row and column are ignored.
-fn halved(channel: &[f32], side: usize) -> Vec<f32> {
+fn relu_max_pool(channel: &[f32], side: usize) -> Vec<f32> {
     let rows = channel.chunks_exact(side).collect::<Vec<_>>();
     let pair = |pair: &[&[f32]]| -> Vec<f32> {
         let columns = pair[0].chunks_exact(2).zip(pair[1].chunks_exact(2));
@@ -226,7 +226,7 @@ mod tests {
 
     #[test]
     fn an_odd_row_and_column_are_left_out_and_nothing_is_below_zero() {
-        assert_eq!(halved(&[1.0, -2.0, 9.0, -3.0, 4.0, 9.0, 9.0, 9.0, 9.0], 3), [4.0]);
-        assert_eq!(halved(&[-1.0, -2.0, -3.0, -4.0], 2), [0.0]);
+        assert_eq!(relu_max_pool(&[1.0, -2.0, 9.0, -3.0, 4.0, 9.0, 9.0, 9.0, 9.0], 3), [4.0]);
+        assert_eq!(relu_max_pool(&[-1.0, -2.0, -3.0, -4.0], 2), [0.0]);
     }
 }

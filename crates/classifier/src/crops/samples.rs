@@ -83,7 +83,7 @@ impl Examples {
     }
 
     /// Examples with splits other than a dataset's.
-    pub fn dealt(splits: BTreeMap<Split, Vec<Example>>) -> Self {
+    pub fn from_splits(splits: BTreeMap<Split, Vec<Example>>) -> Self {
         Self { splits, unlabelled: 0 }
     }
 

@@ -35,7 +35,7 @@ pub struct BoostingSettings {
 
 /// Training examples: features by column, classes, weights.
 #[derive(Debug, Clone, Default)]
-pub struct Table {
+pub struct TrainingTable {
     /// Features by column, `[feature][example]`, all of one length.
     pub columns: Vec<Vec<f32>>,
     /// Index in [`artifact::settings::Class::ALL`].
@@ -44,14 +44,14 @@ pub struct Table {
     pub weights: Vec<f64>,
 }
 
-impl Table {
+impl TrainingTable {
     /// Features of one example.
     pub fn row(&self, example: usize) -> Vec<f32> {
         self.columns.iter().map(|column| column[example]).collect()
     }
 
     /// Table of only the examples with these indices.
-    pub fn taken(&self, examples: &[usize]) -> Self {
+    pub fn subset(&self, examples: &[usize]) -> Self {
         Self {
             columns: self
                 .columns
@@ -65,33 +65,34 @@ impl Table {
 }
 
 /// First and second derivatives of the loss by the four logits.
-type Slopes = [[f64; 4]; 2];
+type LossDerivatives = [[f64; 4]; 2];
 
-/// Trains trees on a table; `heard` receives the trees so far after each round and stops training by `false`.
+/// Trains trees on a table; `progress` receives the trees so far after each round and stops training by
+/// `false`.
 ///
 /// The same table, settings and seed give the same trees on any number of threads.
 pub fn boosted(
-    table: &Table,
+    table: &TrainingTable,
     settings: &BoostingSettings,
     seed: u64,
-    heard: &mut dyn FnMut(&BoostedTrees) -> bool,
+    progress: &mut dyn FnMut(&BoostedTrees) -> bool,
 ) -> BoostedTrees {
     let order: Vec<Vec<u32>> = table.columns.par_iter().map(|column| sorted(column)).collect();
     let mut trees = BoostedTrees { prior: [0.0; 4], temperature: 1.0, trees: vec![] };
     let mut logits = vec![[0.0_f64; 4]; table.classes.len()];
     for round in 0..settings.rounds {
         let mut random = ChaCha8Rng::from_seed(seed::key(seed, "classifier/boosting", &[u64::from(round)]));
-        let slopes: Vec<Slopes> = (0..logits.len()).map(|i| slopes(table, i, &logits[i])).collect();
+        let slopes: Vec<LossDerivatives> = (0..logits.len()).map(|i| slopes(table, i, &logits[i])).collect();
         let rows: Vec<bool> = logits.iter().map(|_| random.random::<f64>() < settings.rows).collect();
         let columns: Vec<usize> =
             (0..order.len()).filter(|_| random.random::<f64>() < settings.columns).collect();
-        let tree = Growth { table, order: &order, slopes: &slopes, settings, columns }.tree(&rows);
+        let tree = TreeGrower { table, order: &order, slopes: &slopes, settings, columns }.tree(&rows);
         for (example, logits) in logits.iter_mut().enumerate() {
             let step = leaf(&tree, &table.row(example));
             logits.iter_mut().zip(step).for_each(|(logit, step)| *logit += f64::from(step));
         }
         trees.trees.push(tree);
-        if !heard(&trees) {
+        if !progress(&trees) {
             break;
         }
     }
@@ -106,7 +107,7 @@ fn sorted(column: &[f32]) -> Vec<u32> {
 }
 
 /// Derivatives of the weighted log loss of the softmax: p − y and p(1 − p).
-fn slopes(table: &Table, example: usize, logits: &[f64; 4]) -> Slopes {
+fn slopes(table: &TrainingTable, example: usize, logits: &[f64; 4]) -> LossDerivatives {
     let p = softmax(logits.map(|l| l as f32));
     let weight = table.weights[example];
     let is = |class: usize| f64::from(u8::from(table.classes[example] == class));
@@ -116,12 +117,12 @@ fn slopes(table: &Table, example: usize, logits: &[f64; 4]) -> Slopes {
 /// Sums over the examples of a node.
 #[derive(Debug, Clone, Copy, Default)]
 struct Sums {
-    slopes: Slopes,
+    slopes: LossDerivatives,
     weight: f64,
 }
 
 impl Sums {
-    fn add(&mut self, slopes: &Slopes, weight: f64) {
+    fn add(&mut self, slopes: &LossDerivatives, weight: f64) {
         for (sum, slope) in self.slopes.iter_mut().flatten().zip(slopes.iter().flatten()) {
             *sum += slope;
         }
@@ -157,10 +158,10 @@ struct Split {
 }
 
 /// State of a growing tree.
-struct Growth<'a> {
-    table: &'a Table,
+struct TreeGrower<'a> {
+    table: &'a TrainingTable,
     order: &'a [Vec<u32>],
-    slopes: &'a [Slopes],
+    slopes: &'a [LossDerivatives],
     settings: &'a BoostingSettings,
     columns: Vec<usize>,
 }
@@ -168,7 +169,7 @@ struct Growth<'a> {
 /// Node of an example that is in no open node.
 const NOWHERE: usize = usize::MAX;
 
-impl Growth<'_> {
+impl TreeGrower<'_> {
     /// Grows a tree level by level.
     fn tree(&self, rows: &[bool]) -> Tree {
         let mut place: Vec<usize> = rows.iter().map(|taken| if *taken { 0 } else { NOWHERE }).collect();
@@ -286,7 +287,7 @@ mod tests {
     };
 
     /// Classes that two of three features tell together and neither alone; some values are equal.
-    fn table(examples: u64, seed: u64) -> Table {
+    fn table(examples: u64, seed: u64) -> TrainingTable {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         let mut drawn =
             || (0..examples).map(|_| (20.0 * random.random::<f32>()).round()).collect::<Vec<f32>>();
@@ -295,10 +296,10 @@ mod tests {
         let class = |i: usize| if of(i) == 3 { 0 } else { of(i) + usize::from(of(i) == 0) * 3 };
         let classes = (0..examples as usize).map(class).collect();
         let weights = (0..examples).map(|i| 0.5 + (i % 3) as f64).collect();
-        Table { columns, classes, weights }
+        TrainingTable { columns, classes, weights }
     }
 
-    fn loss(table: &Table, trees: &BoostedTrees) -> f64 {
+    fn loss(table: &TrainingTable, trees: &BoostedTrees) -> f64 {
         let one = |i: usize| {
             -table.weights[i] * log_softmax(logits(trees, &table.row(i)).map(f64::from))[table.classes[i]]
         };
@@ -360,7 +361,7 @@ mod tests {
 
     #[test]
     fn a_table_whose_features_say_nothing_grows_no_split() {
-        let table = Table {
+        let table = TrainingTable {
             columns: vec![vec![1.0; 10]],
             classes: vec![0, 1, 2, 3, 0, 1, 2, 3, 0, 1],
             weights: vec![1.0; 10],

@@ -2,12 +2,14 @@
 //! out in turn, and the answers for them determine the temperature and the correlation between the frames of
 //! a track.
 
-use crate::ensembles::held_out::{HeldOut, LearnedAndJudged, counted, held_out};
-use crate::ensembles::trained::{Calibrated, Trained};
+use crate::ensembles::cross_validation::{
+    CrossValidationSets, HeldOutLogits, cross_validate, progress_counter,
+};
+use crate::ensembles::trained_model::{ModelCalibration, TrainedModel};
 use crate::ensembles::vehicles::Sightings;
 use crate::error::ClassifierError;
 use crate::networks::network_training::{Examples, NetworkSettings, trained_network};
-use crate::networks::profile_network::of_member;
+use crate::networks::profile_network::member_logits;
 use crate::signatures::cells::shape;
 use artifact::model::{Learner, ProfileNetwork, ProfileNetworks, Weights};
 use serde::Serialize;
@@ -59,53 +61,54 @@ pub fn train_networks(
     sightings: &Sightings,
     settings: &ProfileSettings,
     seed: u64,
-    heard: &mut dyn FnMut(usize, usize),
-) -> Result<Trained, ClassifierError> {
-    let examples = LearnedAndJudged::of(sightings)?;
-    let mut tick = counted(settings.ticks(), heard);
+    progress: &mut dyn FnMut(usize, usize),
+) -> Result<TrainedModel, ClassifierError> {
+    let examples = CrossValidationSets::of(sightings)?;
+    let mut tick = progress_counter(settings.ticks(), progress);
     let parts = trained_networks(sightings, &examples, settings, seed, &mut tick);
     let passes = settings.network.epochs as usize;
-    let calibrated = Calibrated::on(sightings, &examples.judged, &parts.held_out, passes - 1);
+    let calibrated = ModelCalibration::fit(sightings, &examples.scored, &parts.held_out, passes - 1);
     let temperature = calibrated.temperature as f32;
     let networks = ProfileNetworks { temperature, members: parts.members };
     let model = (Learner::ProfileNetworks(shape()), Weights::Profile(networks));
-    Ok(calibrated.model(sightings, &examples.judged, model, settings.least_probability, (passes, seed)))
+    Ok(calibrated.model(sightings, &examples.scored, model, settings.least_probability, (passes, seed)))
 }
 
 /// Networks, with the answers for held-out vehicles after each pass.
 pub(crate) struct TrainedNetworks {
-    pub(crate) held_out: HeldOut,
+    pub(crate) held_out: HeldOutLogits,
     pub(crate) members: Vec<ProfileNetwork>,
 }
 
 /// Trains with vehicles held out in turn, then on all; `tick` is called after each pass.
 pub(crate) fn trained_networks(
     sightings: &Sightings,
-    LearnedAndJudged { learned, judged }: &LearnedAndJudged,
+    CrossValidationSets { training, scored }: &CrossValidationSets,
     settings: &ProfileSettings,
     seed: u64,
     tick: &mut dyn FnMut(),
 ) -> TrainedNetworks {
     let passes = settings.network.epochs as usize;
     let member = |number: usize| seed.wrapping_add((number as u64) << 32);
-    let mut of_fold = |kept: &[usize], asked: &[usize]| {
+    let mut train_on_fold = |kept: &[usize], asked: &[usize]| {
         let examples = examples(sightings, kept);
-        let mut told = vec![vec![[0.0_f32; 4]; asked.len()]; passes];
+        let mut logits_of_rounds = vec![vec![[0.0_f32; 4]; asked.len()]; passes];
         for number in 0..settings.members {
             let mut pass = 0;
             trained_network(&examples, &settings.network, member(number), &mut |network| {
-                for (sums, number) in told[pass].iter_mut().zip(asked) {
-                    let one = of_member(network, &sightings.all[*number].cells);
+                for (sums, number) in logits_of_rounds[pass].iter_mut().zip(asked) {
+                    let one = member_logits(network, &sightings.all[*number].cells);
                     sums.iter_mut().zip(one).for_each(|(sum, l)| *sum += l / settings.members as f32);
                 }
                 pass += 1;
                 tick();
             });
         }
-        told
+        logits_of_rounds
     };
-    let held_out = held_out(sightings, [learned, judged], [settings.folds, passes], seed, &mut of_fold);
-    let examples = examples(sightings, learned);
+    let held_out =
+        cross_validate(sightings, [training, scored], [settings.folds, passes], seed, &mut train_on_fold);
+    let examples = examples(sightings, training);
     let trained =
         |number: usize| trained_network(&examples, &settings.network, member(number), &mut |_| tick());
     TrainedNetworks { held_out, members: (0..settings.members).map(trained).collect() }

@@ -5,7 +5,7 @@ use crate::crops::layout::check_classes;
 use crate::crops::model_folder::load_model;
 use crate::crops::network::Logits;
 use crate::ensembles::trees;
-use crate::ensembles::vehicles::Seen;
+use crate::ensembles::vehicles::Sighting;
 use crate::error::ClassifierError;
 use crate::networks::profile_network;
 use crate::signatures::cells::{CELLS, OF_CELLS, OF_OBJECT, inputs};
@@ -75,7 +75,7 @@ impl SignatureClassifier {
 const EVEN: Logits = [0.0; Class::ALL.len()];
 
 /// Logits of a model for a sighting; even ones of a model that does not look at signatures.
-pub fn answer(weights: &Weights, seen: &Seen) -> Logits {
+pub fn answer(weights: &Weights, seen: &Sighting) -> Logits {
     logits_of(weights, &seen.features, &seen.cells)
 }
 

@@ -1,8 +1,8 @@
 //! A training on signatures: trees on features, networks over range cells, or both.
 
-use crate::ensembles::both_training::{BothSettings, train_both};
+use crate::ensembles::combined_training::{CombinedSettings, train_combined};
 use crate::ensembles::profile_training::{ProfileSettings, train_networks};
-use crate::ensembles::trained::Trained;
+use crate::ensembles::trained_model::TrainedModel;
 use crate::ensembles::tree_training::{TreeSettings, train_trees};
 use crate::ensembles::vehicles::Sightings;
 use crate::error::ClassifierError;
@@ -16,7 +16,7 @@ pub enum SignatureTraining {
     /// Networks over range cells.
     Profile(ProfileSettings),
     /// Both, their answers averaged.
-    Both(BothSettings),
+    Both(CombinedSettings),
 }
 
 impl SignatureTraining {
@@ -28,12 +28,12 @@ impl SignatureTraining {
         &self,
         sightings: &Sightings,
         seed: u64,
-        heard: &mut dyn FnMut(usize, usize),
-    ) -> Result<Trained, ClassifierError> {
+        progress: &mut dyn FnMut(usize, usize),
+    ) -> Result<TrainedModel, ClassifierError> {
         match self {
-            Self::Trees(settings) => train_trees(sightings, settings, seed, heard),
-            Self::Profile(settings) => train_networks(sightings, settings, seed, heard),
-            Self::Both(settings) => train_both(sightings, settings, seed, heard),
+            Self::Trees(settings) => train_trees(sightings, settings, seed, progress),
+            Self::Profile(settings) => train_networks(sightings, settings, seed, progress),
+            Self::Both(settings) => train_combined(sightings, settings, seed, progress),
         }
     }
 }

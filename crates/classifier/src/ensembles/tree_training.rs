@@ -3,9 +3,11 @@
 //! frames of a track.
 
 use crate::crops::network::Logits;
-use crate::ensembles::boosting::{BoostingSettings, Table, boosted};
-use crate::ensembles::held_out::{HeldOut, LearnedAndJudged, counted, held_out};
-use crate::ensembles::trained::{Calibrated, Trained};
+use crate::ensembles::boosting::{BoostingSettings, TrainingTable, boosted};
+use crate::ensembles::cross_validation::{
+    CrossValidationSets, HeldOutLogits, cross_validate, progress_counter,
+};
+use crate::ensembles::trained_model::{ModelCalibration, TrainedModel};
 use crate::ensembles::trees::leaf;
 use crate::ensembles::vehicles::Sightings;
 use crate::error::ClassifierError;
@@ -63,17 +65,17 @@ pub fn train_trees(
     sightings: &Sightings,
     settings: &TreeSettings,
     seed: u64,
-    heard: &mut dyn FnMut(usize, usize),
-) -> Result<Trained, ClassifierError> {
-    let examples = LearnedAndJudged::of(sightings)?;
-    let mut tick = counted(settings.ticks(), heard);
+    progress: &mut dyn FnMut(usize, usize),
+) -> Result<TrainedModel, ClassifierError> {
+    let examples = CrossValidationSets::of(sightings)?;
+    let mut tick = progress_counter(settings.ticks(), progress);
     let parts = trained_trees(sightings, &examples, settings, seed, &mut tick);
-    let calibrated = Calibrated::on(sightings, &examples.judged, &parts.held_out, parts.best);
+    let calibrated = ModelCalibration::fit(sightings, &examples.scored, &parts.held_out, parts.best);
     let mut trees = parts.trees;
     trees.temperature *= calibrated.temperature as f32;
     let rounds = trees.trees.len();
     let model = (Learner::BoostedTrees { features: feature_names() }, Weights::Trees(trees));
-    Ok(calibrated.model(sightings, &examples.judged, model, settings.least_probability, (rounds, seed)))
+    Ok(calibrated.model(sightings, &examples.scored, model, settings.least_probability, (rounds, seed)))
 }
 
 /// Names of the features, for a model's header.
@@ -83,7 +85,7 @@ pub(crate) fn feature_names() -> Vec<String> {
 
 /// Trees, with the answers for held-out vehicles and the round with the best of them.
 pub(crate) struct TrainedTrees {
-    pub(crate) held_out: HeldOut,
+    pub(crate) held_out: HeldOutLogits,
     pub(crate) best: usize,
     pub(crate) trees: BoostedTrees,
 }
@@ -91,27 +93,28 @@ pub(crate) struct TrainedTrees {
 /// Trains with vehicles held out in turn, then on all; `tick` is called after each round.
 pub(crate) fn trained_trees(
     sightings: &Sightings,
-    LearnedAndJudged { learned, judged }: &LearnedAndJudged,
+    CrossValidationSets { training, scored }: &CrossValidationSets,
     settings: &TreeSettings,
     seed: u64,
     tick: &mut dyn FnMut(),
 ) -> TrainedTrees {
-    let settings = &settings.for_so_many(learned.len());
+    let settings = &settings.for_so_many(training.len());
     let rounds = settings.boosting.rounds as usize;
-    let mut of_fold = |kept: &[usize], asked: &[usize]| {
-        let (mut sums, mut told) = (vec![[0.0_f32; 4]; asked.len()], Vec::with_capacity(rounds));
+    let mut train_on_fold = |kept: &[usize], asked: &[usize]| {
+        let (mut sums, mut logits_of_rounds) = (vec![[0.0_f32; 4]; asked.len()], Vec::with_capacity(rounds));
         boosted(&sightings.table(kept), &settings.boosting, seed, &mut |trees| {
             add_last(trees, &mut sums, |at| &sightings.all[asked[at]].features);
-            told.push(sums.clone());
+            logits_of_rounds.push(sums.clone());
             tick();
             true
         });
-        told
+        logits_of_rounds
     };
-    let held_out = held_out(sightings, [learned, judged], [settings.folds, rounds], seed, &mut of_fold);
+    let held_out =
+        cross_validate(sightings, [training, scored], [settings.folds, rounds], seed, &mut train_on_fold);
     let best = held_out.best_round();
     let boosting = BoostingSettings { rounds: best as u32 + 1, ..settings.boosting };
-    let trees = members(&sightings.table(learned), &boosting, seed, tick);
+    let trees = members(&sightings.table(training), &boosting, seed, tick);
     TrainedTrees { held_out, best, trees }
 }
 
@@ -120,7 +123,12 @@ pub(crate) fn trained_trees(
 const MEMBERS: u64 = 3;
 
 /// The members' trees together, divided by their number.
-fn members(table: &Table, settings: &BoostingSettings, seed: u64, tick: &mut dyn FnMut()) -> BoostedTrees {
+fn members(
+    table: &TrainingTable,
+    settings: &BoostingSettings,
+    seed: u64,
+    tick: &mut dyn FnMut(),
+) -> BoostedTrees {
     let mut all = BoostedTrees { prior: [0.0; 4], temperature: MEMBERS as f32, trees: vec![] };
     for member in 0..MEMBERS {
         // The first member is the same as in a training of one member.

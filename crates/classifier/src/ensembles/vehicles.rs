@@ -1,6 +1,6 @@
 //! Samples as sightings of vehicles: features, class, vehicle and track; with their weights and folds.
 
-use crate::ensembles::boosting::Table;
+use crate::ensembles::boosting::TrainingTable;
 use crate::error::ClassifierError;
 use crate::signatures::cells::inputs;
 use crate::signatures::features::features;
@@ -19,7 +19,7 @@ pub type TrackKey = (usize, u64, u32);
 
 /// One sighting.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Seen {
+pub struct Sighting {
     /// Features in the order of [`crate::feature_names`].
     pub features: Vec<f32>,
     /// Inputs of networks over range cells.
@@ -40,7 +40,7 @@ pub struct Seen {
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Sightings {
     /// Sightings in reading order.
-    pub all: Vec<Seen>,
+    pub all: Vec<Sighting>,
     /// Number of ignored samples without a class.
     pub unlabelled: u64,
     ids: BTreeSet<(usize, String)>,
@@ -69,7 +69,7 @@ impl Sightings {
                 self.unlabelled += 1;
                 continue;
             };
-            self.all.push(Seen {
+            self.all.push(Sighting {
                 features: features(&sample.signature).into_iter().map(|(_, value)| value as f32).collect(),
                 cells: inputs(&sample.signature),
                 class,
@@ -83,7 +83,7 @@ impl Sightings {
     }
 
     /// Refuses sightings that share a sample with these.
-    pub fn check_apart(&self, others: &Self) -> Result<(), ClassifierError> {
+    pub fn check_disjoint(&self, others: &Self) -> Result<(), ClassifierError> {
         let shared = others.prints.keys().find(|print| self.prints.contains_key(*print));
         shared.map_or(Ok(()), |print| {
             let name = print.split_once(' ').map_or("", |(_, id)| id);
@@ -97,13 +97,13 @@ impl Sightings {
     }
 
     /// Sightings with these indices.
-    pub fn seen(&self, numbers: &[usize]) -> Vec<&Seen> {
+    pub fn select(&self, numbers: &[usize]) -> Vec<&Sighting> {
         numbers.iter().map(|i| &self.all[*i]).collect()
     }
 
     /// Sightings with these indices as a table. Every class has the same weight, within a class every
     /// vehicle, within a vehicle every sighting; the mean is 1.
-    pub fn table(&self, numbers: &[usize]) -> Table {
+    pub fn table(&self, numbers: &[usize]) -> TrainingTable {
         let mut of_model: BTreeMap<(usize, &str), f64> = BTreeMap::new();
         for seen in numbers.iter().map(|i| &self.all[*i]) {
             *of_model.entry((seen.class, &seen.model)).or_default() += 1.0;
@@ -111,12 +111,12 @@ impl Sightings {
         let models = |class: usize| of_model.keys().filter(|(c, _)| *c == class).count() as f64;
         let models: [f64; 4] = std::array::from_fn(models);
         let classes = models.iter().filter(|count| **count > 0.0).count() as f64;
-        let weight = |seen: &Seen| {
+        let weight = |seen: &Sighting| {
             let of_vehicle = of_model[&(seen.class, seen.model.as_str())];
             numbers.len() as f64 / (classes * models[seen.class] * of_vehicle)
         };
         let width = numbers.first().map_or(0, |i| self.all[*i].features.len());
-        Table {
+        TrainingTable {
             columns: (0..width).map(|f| numbers.iter().map(|i| self.all[*i].features[f]).collect()).collect(),
             classes: numbers.iter().map(|i| self.all[*i].class).collect(),
             weights: numbers.iter().map(|i| weight(&self.all[*i])).collect(),
@@ -126,15 +126,16 @@ impl Sightings {
     /// Folds of every sighting's vehicle: those of a class are distributed evenly, in an order drawn from the
     /// seed. A cross has the folds of both of its families, any other vehicle its own twice.
     pub fn folds(&self, numbers: &[usize], folds: usize, seed: u64) -> Vec<[usize; 2]> {
-        let kin = |i: &usize| kin(&self.all[*i].model).map(|model| (self.all[*i].class, model));
-        let models: BTreeSet<(usize, &str)> = numbers.iter().flat_map(kin).collect();
+        let parents =
+            |i: &usize| parent_families(&self.all[*i].model).map(|model| (self.all[*i].class, model));
+        let models: BTreeSet<(usize, &str)> = numbers.iter().flat_map(parents).collect();
         let mut fold_of = BTreeMap::new();
         for class in 0..Class::ALL.len() {
             let mut own: Vec<_> = models.iter().filter(|(c, _)| *c == class).collect();
             own.shuffle(&mut ChaCha8Rng::from_seed(seed::key(seed, "classifier/folds", &[class as u64])));
             fold_of.extend(own.into_iter().enumerate().map(|(at, model)| (model, at % folds)));
         }
-        numbers.iter().map(|i| kin(i).map(|model| fold_of[&model])).collect()
+        numbers.iter().map(|i| parents(i).map(|model| fold_of[&model])).collect()
     }
 
     /// Classes with a single vehicle for training, with its name: none remains when it is held out.
@@ -148,7 +149,7 @@ impl Sightings {
     }
 }
 
-impl Seen {
+impl Sighting {
     /// Whether the vehicle is a cross between two families, which other vehicles show unmodified.
     pub fn is_cross(&self) -> bool {
         families_of(&self.model).is_some()
@@ -164,7 +165,7 @@ fn fingerprint_of(sample: &Sample) -> String {
 }
 
 /// The two families of a cross; for any other vehicle its own twice.
-fn kin(model: &str) -> [&str; 2] {
+fn parent_families(model: &str) -> [&str; 2] {
     families_of(model).unwrap_or([model, model])
 }
 
@@ -173,9 +174,9 @@ mod tests {
     use super::*;
     use artifact::signature::Signature;
 
-    fn seen(model: &str) -> Seen {
+    fn seen(model: &str) -> Sighting {
         let model = model.to_owned();
-        Seen {
+        Sighting {
             features: vec![],
             cells: vec![],
             class: 0,
@@ -215,7 +216,7 @@ mod tests {
         let (mut same, mut other) = (Sightings::default(), Sightings::default());
         same.add(0, [Ok(again)].into_iter()).unwrap();
         other.add(0, [Ok(sample(2))].into_iter()).unwrap();
-        assert!(first.check_apart(&same).is_err() && first.check_apart(&other).is_ok());
+        assert!(first.check_disjoint(&same).is_err() && first.check_disjoint(&other).is_ok());
         assert!(first.add(1, [Ok(sample(2))].into_iter()).is_ok());
     }
 

@@ -12,13 +12,13 @@ use std::collections::BTreeMap;
 const DRAWS: u64 = 1000;
 
 /// An answer: true class, vehicle, predicted class.
-pub struct Told<'a> {
+pub struct ClassPrediction<'a> {
     /// Index in [`artifact::settings::Class::ALL`].
     pub truth: usize,
     /// Vehicle model.
     pub model: &'a str,
     /// Index of the likeliest class.
-    pub told: usize,
+    pub predicted: usize,
 }
 
 /// Mean over classes of the share of right answers.
@@ -39,11 +39,11 @@ pub struct ByVehicle {
 type Counts = Vec<Vec<[u64; 2]>>;
 
 /// Accuracy of answers over vehicles.
-pub fn by_vehicle<'a>(answers: impl Iterator<Item = Told<'a>>) -> ByVehicle {
+pub fn by_vehicle<'a>(answers: impl Iterator<Item = ClassPrediction<'a>>) -> ByVehicle {
     let mut of_vehicle: BTreeMap<(usize, &str), [u64; 2]> = BTreeMap::new();
     for answer in answers {
         let [right, all] = of_vehicle.entry((answer.truth, answer.model)).or_default();
-        *right += u64::from(answer.told == answer.truth);
+        *right += u64::from(answer.predicted == answer.truth);
         *all += 1;
     }
     let own = |class: usize| of_vehicle.iter().filter(|((c, _), _)| *c == class).map(|(_, n)| *n).collect();
@@ -58,7 +58,7 @@ pub fn by_vehicle<'a>(answers: impl Iterator<Item = Told<'a>>) -> ByVehicle {
 
 /// Percentiles of the mean over classes, over resampled vehicles.
 fn interval(counts: &Counts) -> [f64; 2] {
-    let mut drawn: Vec<f64> = (0..DRAWS).map(|draw| mean(&drawn_anew(counts, draw))).collect();
+    let mut drawn: Vec<f64> = (0..DRAWS).map(|draw| mean(&bootstrap_resample(counts, draw))).collect();
     drawn.sort_by(f64::total_cmp);
     [0.025, 0.975].map(|share| drawn[(share * (DRAWS - 1) as f64).round() as usize])
 }
@@ -72,7 +72,7 @@ fn mean(counts: &Counts) -> f64 {
     counts.iter().map(share).sum::<f64>() / counts.len().max(1) as f64
 }
 
-fn drawn_anew(counts: &Counts, draw: u64) -> Counts {
+fn bootstrap_resample(counts: &Counts, draw: u64) -> Counts {
     let mut random = ChaCha8Rng::from_seed(seed::key(draw, "classifier/bootstrap", &[]));
     let anew = |vehicles: &Vec<[u64; 2]>| {
         vehicles.iter().map(|_| vehicles[random.random_range(0..vehicles.len())]).collect()
@@ -86,7 +86,8 @@ mod tests {
 
     #[test]
     fn a_vehicle_seen_a_hundred_times_does_not_narrow_the_interval() {
-        let answer = |truth: usize, model: &'static str, told: usize| Told { truth, model, told };
+        let answer =
+            |truth: usize, model: &'static str, predicted: usize| ClassPrediction { truth, model, predicted };
         // Two vehicles of one class, one always right and one always wrong: the mean is a half, and anything
         // may come.
         let many = (0..100).flat_map(|_| [answer(0, "a", 0), answer(0, "b", 1)]);
@@ -97,8 +98,12 @@ mod tests {
 
     #[test]
     fn classes_count_alike_however_many_answers_they_have_and_lone_vehicles_tell_of_no_spread() {
-        let answers = (0..90).map(|_| Told { truth: 0, model: "a", told: 0 });
-        let found = by_vehicle(answers.chain((0..10).map(|_| Told { truth: 1, model: "b", told: 0 })));
+        let answers = (0..90).map(|_| ClassPrediction { truth: 0, model: "a", predicted: 0 });
+        let found = by_vehicle(answers.chain((0..10).map(|_| ClassPrediction {
+            truth: 1,
+            model: "b",
+            predicted: 0,
+        })));
         assert_eq!((found.mean_over_classes, found.interval), (0.5, None));
     }
 }

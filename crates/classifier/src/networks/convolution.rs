@@ -18,12 +18,12 @@ pub(crate) struct ConvolutionLayer {
 }
 
 impl ConvolutionLayer {
-    pub(crate) fn drawn(inputs: usize, outputs: usize, taps: usize, random: &mut ChaCha8Rng) -> Self {
+    pub(crate) fn random_init(inputs: usize, outputs: usize, taps: usize, random: &mut ChaCha8Rng) -> Self {
         Self {
             inputs,
             taps,
-            weights: Parameter::drawn(outputs * inputs * taps, inputs * taps, random),
-            bias: Parameter::drawn(outputs, inputs * taps, random),
+            weights: Parameter::random_init(outputs * inputs * taps, inputs * taps, random),
+            bias: Parameter::random_init(outputs, inputs * taps, random),
             input: None,
         }
     }
@@ -47,12 +47,12 @@ impl ConvolutionLayer {
         let size = inputs * taps;
         let of_output = |(number, kernel): (usize, &mut [f32])| {
             kernel.fill(0.0);
-            for (sample, slopes) in input.rows().zip(output.rows()) {
-                let slopes = &slopes[number * cells..][..cells];
+            for (sample, gradients) in input.rows().zip(output.rows()) {
+                let gradients = &gradients[number * cells..][..cells];
                 for (at, weight) in kernel.iter_mut().enumerate() {
-                    let [of_slopes, of_row] = overlap(cells, shift(at % taps, taps));
+                    let [of_gradients, of_row] = overlap(cells, shift(at % taps, taps));
                     let row = &sample[at / taps * cells..][..cells];
-                    *weight += dot(&slopes[of_slopes], &row[of_row]);
+                    *weight += dot(&gradients[of_gradients], &row[of_row]);
                 }
             }
         };
@@ -64,7 +64,7 @@ impl ConvolutionLayer {
         let rows: Vec<Vec<f32>> = output
             .values
             .par_chunks_exact(output.size())
-            .map(|slopes| spread_back(slopes, cells, weights, [inputs, taps]))
+            .map(|gradients| input_gradients(gradients, cells, weights, [inputs, taps]))
             .collect();
         Batch { channels: inputs, cells, values: rows.concat() }
     }
@@ -94,13 +94,13 @@ pub(crate) fn convolved(sample: &[f32], cells: usize, weights: &[f32], bias: &[f
 }
 
 /// Gradient by one sample's input, `[input, cell]`.
-fn spread_back(slopes: &[f32], cells: usize, weights: &[f32], [inputs, taps]: [usize; 2]) -> Vec<f32> {
+fn input_gradients(gradients: &[f32], cells: usize, weights: &[f32], [inputs, taps]: [usize; 2]) -> Vec<f32> {
     let mut all = vec![0.0; inputs * cells];
-    for (slopes, kernels) in slopes.chunks_exact(cells).zip(weights.chunks_exact(inputs * taps)) {
+    for (gradients, kernels) in gradients.chunks_exact(cells).zip(weights.chunks_exact(inputs * taps)) {
         for (row, kernel) in all.chunks_exact_mut(cells).zip(kernels.chunks_exact(taps)) {
             for (tap, weight) in kernel.iter().enumerate() {
-                let [of_slopes, of_row] = overlap(cells, shift(tap, taps));
-                add_scaled(&mut row[of_row], *weight, &slopes[of_slopes]);
+                let [of_gradients, of_row] = overlap(cells, shift(tap, taps));
+                add_scaled(&mut row[of_row], *weight, &gradients[of_gradients]);
             }
         }
     }

@@ -16,9 +16,9 @@ pub(crate) struct DenseLayer {
 }
 
 impl DenseLayer {
-    pub(crate) fn drawn(inputs: usize, outputs: usize, random: &mut ChaCha8Rng) -> Self {
-        let weights = Parameter::drawn(outputs * inputs, inputs, random);
-        Self { weights, bias: Parameter::drawn(outputs, inputs, random), input: None }
+    pub(crate) fn random_init(inputs: usize, outputs: usize, random: &mut ChaCha8Rng) -> Self {
+        let weights = Parameter::random_init(outputs * inputs, inputs, random);
+        Self { weights, bias: Parameter::random_init(outputs, inputs, random), input: None }
     }
 
     pub(crate) fn forward(&mut self, input: Batch) -> Batch {
@@ -36,18 +36,18 @@ impl DenseLayer {
         let size = input.size();
         let of_output = |(number, weights): (usize, &mut [f32])| {
             weights.fill(0.0);
-            for (row, slopes) in input.rows().zip(output.rows()) {
-                add_scaled(weights, slopes[number], row);
+            for (row, gradients) in input.rows().zip(output.rows()) {
+                add_scaled(weights, gradients[number], row);
             }
         };
         self.weights.gradient.par_chunks_exact_mut(size).enumerate().for_each(of_output);
         for (number, bias) in self.bias.gradient.iter_mut().enumerate() {
-            *bias = output.rows().map(|slopes| slopes[number]).sum();
+            *bias = output.rows().map(|gradients| gradients[number]).sum();
         }
-        let back = |slopes: &[f32]| {
+        let back = |gradients: &[f32]| {
             let mut row = vec![0.0; size];
-            for (slope, weights) in slopes.iter().zip(self.weights.values.chunks_exact(size)) {
-                add_scaled(&mut row, *slope, weights);
+            for (gradient, weights) in gradients.iter().zip(self.weights.values.chunks_exact(size)) {
+                add_scaled(&mut row, *gradient, weights);
             }
             row
         };

@@ -20,8 +20,8 @@ impl DropoutLayer {
         batch
     }
 
-    pub(crate) fn backward(&self, mut slopes: Batch) -> Batch {
-        slopes.values.iter_mut().zip(&self.factors).for_each(|(slope, factor)| *slope *= factor);
-        slopes
+    pub(crate) fn backward(&self, mut gradients: Batch) -> Batch {
+        gradients.values.iter_mut().zip(&self.factors).for_each(|(gradient, factor)| *gradient *= factor);
+        gradients
     }
 }

@@ -60,7 +60,7 @@ pub(crate) fn trained_network(
     heard: &mut dyn FnMut(&ProfileNetwork),
 ) -> ProfileNetwork {
     let mut random = ChaCha8Rng::from_seed(seed::key(seed, "classifier/profile-network", &[]));
-    let mut network = TrainingNetwork::drawn(settings, &mut random);
+    let mut network = TrainingNetwork::random_init(settings, &mut random);
     let batch = settings.batch.min(examples.inputs.len()).max(1);
     let in_pass = (examples.inputs.len() / batch).max(1) as u32;
     // Few examples are passed several times in an epoch.
@@ -72,7 +72,7 @@ pub(crate) fn trained_network(
         for _ in 0..repeats {
             order.shuffle(&mut random);
             for taken in order.chunks_exact(batch) {
-                network.slopes(examples, taken, settings, &mut random);
+                network.compute_gradients(examples, taken, settings, &mut random);
                 network.step(step, rate(step, steps, settings.rate), settings.weight_decay);
                 step += 1;
             }
@@ -101,11 +101,11 @@ struct TrainingNetwork {
 }
 
 impl TrainingNetwork {
-    fn drawn(settings: &NetworkSettings, random: &mut ChaCha8Rng) -> Self {
+    fn random_init(settings: &NetworkSettings, random: &mut ChaCha8Rng) -> Self {
         let (mut inputs, mut cells, mut blocks) = (OF_CELLS.len(), CELLS, Vec::new());
         for (outputs, taps) in settings.channels.into_iter().zip(settings.taps) {
             blocks.push(Block {
-                convolution: ConvolutionLayer::drawn(inputs, outputs, taps, random),
+                convolution: ConvolutionLayer::random_init(inputs, outputs, taps, random),
                 normalization: NormalizationLayer::new(outputs),
                 pooling: PoolingLayer::default(),
             });
@@ -114,10 +114,10 @@ impl TrainingNetwork {
         Self {
             blocks,
             before_hidden: DropoutLayer::default(),
-            hidden: DenseLayer::drawn(inputs * cells + OF_OBJECT.len(), settings.hidden, random),
+            hidden: DenseLayer::random_init(inputs * cells + OF_OBJECT.len(), settings.hidden, random),
             passed: vec![],
             before_output: DropoutLayer::default(),
-            output: DenseLayer::drawn(settings.hidden, Class::ALL.len(), random),
+            output: DenseLayer::random_init(settings.hidden, Class::ALL.len(), random),
         }
     }
 
@@ -141,8 +141,8 @@ impl TrainingNetwork {
     /// Gradients by all parameters, from those by the logits.
     fn backward(&mut self, logits: &Batch) {
         let mut hidden = self.before_output.backward(self.output.backward(logits));
-        hidden.values.iter_mut().zip(&self.passed).for_each(|(slope, passed)| {
-            *slope = if *passed { *slope } else { 0.0 };
+        hidden.values.iter_mut().zip(&self.passed).for_each(|(gradient, passed)| {
+            *gradient = if *passed { *gradient } else { 0.0 };
         });
         let flat = self.before_hidden.backward(self.hidden.backward(&hidden));
         let channels = self.blocks.last().map_or(0, |block| block.convolution.bias.values.len());
@@ -155,7 +155,7 @@ impl TrainingNetwork {
     }
 
     /// Gradients of the loss of some examples; returns the loss.
-    fn slopes(
+    fn compute_gradients(
         &mut self,
         examples: &Examples<'_>,
         taken: &[usize],
@@ -168,10 +168,10 @@ impl TrainingNetwork {
         for (row, example) in logits.values.chunks_exact_mut(Class::ALL.len()).zip(taken) {
             let weight = examples.weights[*example] / taken.len() as f64;
             let probabilities = softmax(std::array::from_fn(|class| row[class]));
-            for (class, slope) in row.iter_mut().enumerate() {
+            for (class, gradient) in row.iter_mut().enumerate() {
                 let target = target(class, examples.classes[*example], settings.smoothing);
                 loss -= weight * target * probabilities[class].max(f64::MIN_POSITIVE).ln();
-                *slope = (weight * (probabilities[class] - target)) as f32;
+                *gradient = (weight * (probabilities[class] - target)) as f32;
             }
         }
         self.backward(&logits);
@@ -228,7 +228,7 @@ fn target(class: usize, truth: usize, smoothing: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::networks::profile_network::of_member;
+    use crate::networks::profile_network::member_logits;
     use crate::signatures::cells::INPUTS;
     use rand::RngExt;
 
@@ -266,14 +266,14 @@ mod tests {
     /// Loss of a batch; it also leaves its gradients in the parameters.
     fn loss(network: &mut TrainingNetwork, examples: &Examples<'_>) -> f64 {
         let all: Vec<usize> = (0..examples.inputs.len()).collect();
-        network.slopes(examples, &all, &SETTINGS, &mut ChaCha8Rng::seed_from_u64(1))
+        network.compute_gradients(examples, &all, &SETTINGS, &mut ChaCha8Rng::seed_from_u64(1))
     }
 
     #[test]
     fn gradients_are_the_differences_of_the_loss() {
         let (inputs, classes) = drawn(12, 3);
         let examples = examples(&inputs, &classes);
-        let mut network = TrainingNetwork::drawn(&SETTINGS, &mut ChaCha8Rng::seed_from_u64(2));
+        let mut network = TrainingNetwork::random_init(&SETTINGS, &mut ChaCha8Rng::seed_from_u64(2));
         loss(&mut network, &examples);
         let told: Vec<Vec<f32>> = network.parameters().iter().map(|p| p.gradient.clone()).collect();
         let (mut worst, mut largest) = (0.0_f64, 0.0_f64);
@@ -304,7 +304,7 @@ mod tests {
         assert_eq!(passes, SETTINGS.epochs);
         let (unseen, truths) = drawn(200, 6);
         let told = |inputs: &Vec<f32>| {
-            let logits = of_member(&network, inputs);
+            let logits = member_logits(&network, inputs);
             (0..4).fold(0, |best, class| if logits[class] > logits[best] { class } else { best })
         };
         let right = unseen.iter().zip(&truths).filter(|(inputs, class)| told(inputs) == **class).count();
@@ -331,7 +331,7 @@ mod tests {
         };
         assert!(of(0) != of(40));
         let told = |network: &ProfileNetwork| {
-            let wide = |i: &usize| of_member(network, &inputs[*i]);
+            let wide = |i: &usize| member_logits(network, &inputs[*i]);
             (0..8).filter(|i| (0..4).all(|c| wide(i)[c] <= wide(i)[classes[*i]])).count()
         };
         assert!(told(&of(120)) >= 7, "{}", told(&of(120)));

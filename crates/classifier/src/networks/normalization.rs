@@ -58,22 +58,22 @@ impl NormalizationLayer {
     }
 
     /// Gradient by the input from that by the output: γ/σ (g − mean of g − x̂ · mean of g x̂).
-    pub(crate) fn backward(&mut self, mut slopes: Batch) -> Batch {
-        let Some((normal, roots)) = self.normal.take() else { return slopes };
-        let count = (slopes.samples() * slopes.cells) as f64;
+    pub(crate) fn backward(&mut self, mut gradients: Batch) -> Batch {
+        let Some((normal, roots)) = self.normal.take() else { return gradients };
+        let count = (gradients.samples() * gradients.cells) as f64;
         for (channel, root) in roots.iter().enumerate() {
-            let of_offset: f64 = each(&slopes, channel).map(|g| f64::from(*g)).sum();
-            let pairs = each(&slopes, channel).zip(each(&normal, channel));
+            let of_offset: f64 = each(&gradients, channel).map(|g| f64::from(*g)).sum();
+            let pairs = each(&gradients, channel).zip(each(&normal, channel));
             let of_scale: f64 = pairs.map(|(g, x)| f64::from(*g) * f64::from(*x)).sum();
             (self.offset.gradient[channel], self.scale.gradient[channel]) =
                 (of_offset as f32, of_scale as f32);
             let factor = self.scale.values[channel] * root;
             let [mean, along] = [of_offset, of_scale].map(|sum| (sum / count) as f32);
-            for (slope, x) in each_mut(&mut slopes, channel).zip(each(&normal, channel)) {
-                *slope = factor * (*slope - mean - x * along);
+            for (gradient, x) in each_mut(&mut gradients, channel).zip(each(&normal, channel)) {
+                *gradient = factor * (*gradient - mean - x * along);
             }
         }
-        slopes
+        gradients
     }
 
     /// Factor and addend that the layer is for a channel after training, by the running mean and variance.

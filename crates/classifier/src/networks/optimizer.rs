@@ -32,7 +32,7 @@ impl Parameter {
     }
 
     /// Values drawn evenly from ±1/√inputs (LeCun and others, Efficient BackProp, 1998, section 4.6).
-    pub(crate) fn drawn(count: usize, inputs: usize, random: &mut ChaCha8Rng) -> Self {
+    pub(crate) fn random_init(count: usize, inputs: usize, random: &mut ChaCha8Rng) -> Self {
         let bound = 1.0 / (inputs as f32).sqrt();
         Self::of((0..count).map(|_| random.random_range(-bound..bound)).collect())
     }

@@ -19,25 +19,25 @@ impl PoolingLayer {
             (false, true) => 2,
         };
         self.taken = Some((cells, halves().map(which).collect()));
-        let values = batch.values.chunks_exact(cells).flat_map(halved);
+        let values = batch.values.chunks_exact(cells).flat_map(relu_max_pool);
         Batch { channels: batch.channels, cells: cells / 2, values: values.collect() }
     }
 
-    pub(crate) fn backward(&mut self, slopes: &Batch) -> Batch {
-        let Some((cells, taken)) = self.taken.take() else { return slopes.clone() };
-        let half = slopes.cells;
-        let mut values = vec![0.0; slopes.values.len() / half * cells];
-        for (at, (slope, which)) in slopes.values.iter().zip(taken).enumerate() {
+    pub(crate) fn backward(&mut self, gradients: &Batch) -> Batch {
+        let Some((cells, taken)) = self.taken.take() else { return gradients.clone() };
+        let half = gradients.cells;
+        let mut values = vec![0.0; gradients.values.len() / half * cells];
+        for (at, (gradient, which)) in gradients.values.iter().zip(taken).enumerate() {
             if which > 0 {
-                values[at / half * cells + 2 * (at % half) + usize::from(which) - 1] = *slope;
+                values[at / half * cells + 2 * (at % half) + usize::from(which) - 1] = *gradient;
             }
         }
-        Batch { channels: slopes.channels, cells, values }
+        Batch { channels: gradients.channels, cells, values }
     }
 }
 
 /// The largest of each two cells and zero; an odd last cell is ignored.
-pub(crate) fn halved(row: &[f32]) -> impl Iterator<Item = f32> {
+pub(crate) fn relu_max_pool(row: &[f32]) -> impl Iterator<Item = f32> {
     row.chunks_exact(2).map(|pair| pair[0].max(pair[1]).max(0.0))
 }
 

@@ -7,7 +7,7 @@ use crate::crops::network::Logits;
 use crate::error::ClassifierError;
 use crate::networks::convolution::convolved;
 use crate::networks::dense::connected;
-use crate::networks::pooling::halved;
+use crate::networks::pooling::relu_max_pool;
 use crate::signatures::cells::{CELLS, INPUTS, OF_CELLS, OF_OBJECT};
 use artifact::model::{Convolution, Dense, ProfileNetwork, ProfileNetworks};
 use artifact::settings::Class;
@@ -16,7 +16,7 @@ use artifact::settings::Class;
 pub(crate) fn logits(networks: &ProfileNetworks, inputs: &[f32]) -> Logits {
     let mut sum = [0.0_f64; Class::ALL.len()];
     for member in &networks.members {
-        let one = of_member(member, inputs);
+        let one = member_logits(member, inputs);
         sum.iter_mut().zip(one).for_each(|(sum, logit)| *sum += f64::from(logit));
     }
     let divisor = networks.members.len() as f64 * f64::from(networks.temperature);
@@ -24,12 +24,12 @@ pub(crate) fn logits(networks: &ProfileNetworks, inputs: &[f32]) -> Logits {
 }
 
 /// Logits of one network.
-pub(crate) fn of_member(network: &ProfileNetwork, inputs: &[f32]) -> Logits {
+pub(crate) fn member_logits(network: &ProfileNetwork, inputs: &[f32]) -> Logits {
     let (of_cells, of_object) = inputs.split_at(CELLS * OF_CELLS.len());
     let (mut values, mut cells) = (of_cells.to_vec(), CELLS);
     for Convolution { weights, bias, .. } in &network.convolutions {
         let full = convolved(&values, cells, weights, bias);
-        values = full.chunks_exact(cells).flat_map(halved).collect();
+        values = full.chunks_exact(cells).flat_map(relu_max_pool).collect();
         cells /= 2;
     }
     values.extend(of_object);

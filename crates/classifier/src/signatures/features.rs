@@ -4,7 +4,7 @@
 use crate::signatures::bands;
 use crate::signatures::feature::{Features, NONE_DBSM, moments, span};
 use crate::signatures::peaks;
-use crate::signatures::profile::{Profile, Visible};
+use crate::signatures::profile::{Profile, VisibleCell};
 use artifact::signature::Signature;
 use artifact::units::db_from_power;
 use std::ops::Range;
@@ -129,13 +129,13 @@ fn width(profile: &Profile) -> Features {
 
 /// Magnitude of the slope of the cells' places across over the distance behind the leading edge.
 fn slope(profile: &Profile) -> f64 {
-    let weight = |c: &Visible| c.level_db - crate::signatures::profile::LOCATED_DB;
+    let weight = |c: &VisibleCell| c.level_db - crate::signatures::profile::LOCATED_DB;
     let total: f64 = profile.located().map(weight).sum();
     if total <= 0.0 {
         return 0.0;
     }
     let mean =
-        |value: fn(&Visible) -> f64| profile.located().map(|c| weight(c) * value(c)).sum::<f64>() / total;
+        |value: fn(&VisibleCell) -> f64| profile.located().map(|c| weight(c) * value(c)).sum::<f64>() / total;
     let (behind, cross) = (mean(|c| c.behind_m), mean(|c| c.cross_m));
     let together: f64 =
         profile.located().map(|c| weight(c) * (c.behind_m - behind) * (c.cross_m - cross)).sum();
@@ -192,7 +192,7 @@ fn measured_heights(profile: &Profile) -> [f64; 8] {
 /// Quality of the object's echo: single or several scatterers in a cell, rotating parts, and ghosts.
 fn quality(profile: &Profile, signature: &Signature) -> Features {
     let located = profile.located().count().max(1) as f64;
-    let mean = |value: fn(&Visible) -> f64| profile.located().map(value).sum::<f64>() / located;
+    let mean = |value: fn(&VisibleCell) -> f64| profile.located().map(value).sum::<f64>() / located;
     vec![
         ("coherence", profile.mean(|c| c.coherence)),
         ("coherence_of_cells", mean(|c| c.coherence)),

@@ -1,7 +1,7 @@
 //! Peaks of a range profile: number, strength, distance behind the leading edge, and spacing.
 
 use crate::signatures::feature::{Features, NONE_DBSM, moments};
-use crate::signatures::profile::{Profile, Visible};
+use crate::signatures::profile::{Profile, VisibleCell};
 
 /// Least height of a peak over the lowest of the cells around it, dB.
 const PROMINENCE_DB: f64 = 6.0;
@@ -12,7 +12,7 @@ const AROUND: usize = 4;
 const FAR_M: f64 = 2.8;
 
 pub(crate) fn features(profile: &Profile) -> Features {
-    let along: Vec<&Visible> =
+    let along: Vec<&VisibleCell> =
         profile.visible.iter().filter(|cell| is_peak(&profile.levels_db, cell.number)).collect();
     let mut all = ranked(&along);
     all.extend(near_and_far(&along));
@@ -29,7 +29,7 @@ fn is_peak(levels_db: &[f64], at: usize) -> bool {
 }
 
 /// Number of peaks, place of the strongest, and levels of the next ones.
-fn ranked(along: &[&Visible]) -> Features {
+fn ranked(along: &[&VisibleCell]) -> Features {
     let mut peaks = along.to_vec();
     peaks.sort_by(|a, b| b.dbsm.total_cmp(&a.dbsm));
     let strong = peaks.iter().filter(|cell| cell.dbsm >= -5.0).count();
@@ -49,7 +49,7 @@ fn ranked(along: &[&Visible]) -> Features {
 }
 
 /// Peaks at the front and behind it.
-fn near_and_far(along: &[&Visible]) -> Features {
+fn near_and_far(along: &[&VisibleCell]) -> Features {
     let far = || along.iter().filter(|cell| cell.behind_m > FAR_M);
     let near = along.iter().filter(|cell| cell.behind_m <= FAR_M);
     let over = |dbsm: f64| far().filter(|cell| cell.dbsm > dbsm).count() as f64;
@@ -63,7 +63,7 @@ fn near_and_far(along: &[&Visible]) -> Features {
 }
 
 /// Spacing between successive peaks, m, which is regular for panes; −1 below two peaks.
-fn spacing(along: &[&Visible]) -> Features {
+fn spacing(along: &[&VisibleCell]) -> Features {
     let gaps: Vec<f64> = along.windows(2).map(|pair| pair[1].behind_m - pair[0].behind_m).collect();
     let [mean, spread] =
         if gaps.is_empty() { [-1.0; 2] } else { moments(gaps.iter().map(|gap| (1.0, *gap))) };

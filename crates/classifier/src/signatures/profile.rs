@@ -10,7 +10,7 @@ pub(crate) const LOCATED_DB: f64 = 20.0;
 
 /// One visible cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Visible {
+pub(crate) struct VisibleCell {
     /// Index of the cell in the signature.
     pub(crate) number: usize,
     /// Distance behind the object's nearest point, m.
@@ -37,7 +37,7 @@ pub(crate) struct Profile {
     pub(crate) levels_db: Vec<f64>,
     pub(crate) noise_dbsm: f64,
     /// Visible cells in order.
-    pub(crate) visible: Vec<Visible>,
+    pub(crate) visible: Vec<VisibleCell>,
     /// Cross section of all visible cells, m².
     pub(crate) total_m2: f64,
 }
@@ -45,9 +45,9 @@ pub(crate) struct Profile {
 impl Profile {
     pub(crate) fn of(signature: &Signature) -> Self {
         let cells = signature.cells.iter().enumerate();
-        let mut visible: Vec<Visible> = cells
+        let mut visible: Vec<VisibleCell> = cells
             .filter(|(_, cell)| f64::from(cell.level_db) >= VISIBLE_DB)
-            .map(|(number, cell)| seen(signature, number, cell))
+            .map(|(number, cell)| visible_cell(signature, number, cell))
             .collect();
         let total_m2: f64 = visible.iter().map(|cell| cell.rcs_m2).sum();
         visible.iter_mut().for_each(|cell| cell.share = cell.rcs_m2 / total_m2);
@@ -62,20 +62,20 @@ impl Profile {
     }
 
     /// Cells with a usable direction.
-    pub(crate) fn located(&self) -> impl Iterator<Item = &Visible> + Clone {
+    pub(crate) fn located(&self) -> impl Iterator<Item = &VisibleCell> + Clone {
         self.visible.iter().filter(|cell| cell.level_db >= LOCATED_DB)
     }
 
     /// Mean over visible cells, weighted by power; 0 without any.
-    pub(crate) fn mean(&self, value: impl Fn(&Visible) -> f64) -> f64 {
+    pub(crate) fn mean(&self, value: impl Fn(&VisibleCell) -> f64) -> f64 {
         self.visible.iter().map(|cell| cell.share * value(cell)).sum()
     }
 }
 
-fn seen(signature: &Signature, number: usize, cell: &SignatureCell) -> Visible {
+fn visible_cell(signature: &Signature, number: usize, cell: &SignatureCell) -> VisibleCell {
     let level_db = f64::from(cell.level_db);
     let dbsm = level_db + signature.noise_dbsm;
-    Visible {
+    VisibleCell {
         number,
         behind_m: signature.first_range_m + number as f64 * signature.cell_m - signature.range_extent_m[0],
         level_db,

@@ -17,7 +17,7 @@
 //! reveals it. Transmitters that all receive an echo in one phase (M of them, straight ahead) concentrate it
 //! in one slot of a block: then all folds have the same values and the same direction.
 
-use crate::ambiguity::ambiguous_velocities::no_other_is_driven;
+use crate::ambiguity::ambiguous_velocities::is_unambiguous;
 use crate::direction::angle::{Direction, Snapshot, VirtualArray};
 use crate::spectrum::code_division::in_phase;
 use artifact::cube::CubeHeader;
@@ -36,13 +36,13 @@ const LIKELY: f64 = 3.0;
 
 /// Residual power of each fold in one or more cells.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Folds {
+pub(crate) struct FoldResiduals {
     /// Velocity of the first fold, m/s.
     shown_mps: f64,
     /// Velocity from one fold to the next, m/s.
     span_mps: f64,
     /// Power that the strongest beam of each fold does not explain.
-    left: Vec<f64>,
+    residuals: Vec<f64>,
     /// Degrees of freedom beyond a beam's amplitude and direction.
     freedom: f64,
 }
@@ -58,7 +58,7 @@ pub(crate) struct ChosenFold {
     pub(crate) is_certain: bool,
 }
 
-impl Folds {
+impl FoldResiduals {
     /// Evaluates the folds, one per slot, of a cell with the apparent velocity `shown_mps`.
     pub(crate) fn of_cell(
         array: &VirtualArray,
@@ -67,21 +67,21 @@ impl Folds {
         (shown_mps, range_m): (f64, f64),
     ) -> Self {
         let span_mps = 2.0 * array.cells().velocity_max_mps;
-        let left_of = |fold: usize| {
+        let residual_of = |fold: usize| {
             let (snapshot, idle) = array.snapshot_and_idle(map, cell, shown_mps + fold as f64 * span_mps);
-            left_over(array, &snapshot, idle, range_m)
+            residual_power(array, &snapshot, idle, range_m)
         };
-        let left = (0..array.division().slots).map(left_of).collect();
-        Self { shown_mps, span_mps, left, freedom: array.division().map_channels as f64 - 2.0 }
+        let residuals = (0..array.division().slots).map(residual_of).collect();
+        Self { shown_mps, span_mps, residuals, freedom: array.division().map_channels as f64 - 2.0 }
     }
 
     /// Adds the folds of another cell of the same body.
     pub(crate) fn join(&mut self, other: &Self) {
-        let count = self.left.len();
+        let count = self.residuals.len();
         // Fold of the other cell at about this one's velocity.
         let turns = ((self.shown_mps - other.shown_mps) / self.span_mps).round() as i64;
-        for (fold, left) in self.left.iter_mut().enumerate() {
-            *left += other.left[(fold as i64 + turns).rem_euclid(count as i64) as usize];
+        for (fold, left) in self.residuals.iter_mut().enumerate() {
+            *left += other.residuals[(fold as i64 + turns).rem_euclid(count as i64) as usize];
         }
         self.freedom += other.freedom;
     }
@@ -90,28 +90,28 @@ impl Folds {
     ///
     /// The residual of the best fold counts as noise too: a cell of several echoes fits no fold well, and is
     /// weak evidence.
-    pub(crate) fn choice(&self, noise: f64) -> ChosenFold {
+    pub(crate) fn best_fold(&self, noise: f64) -> ChosenFold {
         let least = |folds: &mut dyn Iterator<Item = usize>| {
             folds.fold(None, |best: Option<usize>, f| match best {
-                Some(b) if self.left[b] <= self.left[f] => Some(b),
+                Some(b) if self.residuals[b] <= self.residuals[f] => Some(b),
                 _ => Some(f),
             })
         };
-        let best = least(&mut (0..self.left.len())).unwrap_or(0);
-        let second = least(&mut (0..self.left.len()).filter(|f| *f != best)).unwrap_or(best);
-        let scale = noise.max(self.left[best] / self.freedom.max(1.0)).max(f64::MIN_POSITIVE);
-        let margin = (self.left[second] - self.left[best]) / scale;
-        let slowest = (0..self.left.len())
-            .filter(|f| self.left[*f] - self.left[best] <= LIKELY * scale)
+        let best = least(&mut (0..self.residuals.len())).unwrap_or(0);
+        let second = least(&mut (0..self.residuals.len()).filter(|f| *f != best)).unwrap_or(best);
+        let scale = noise.max(self.residuals[best] / self.freedom.max(1.0)).max(f64::MIN_POSITIVE);
+        let margin = (self.residuals[second] - self.residuals[best]) / scale;
+        let slowest = (0..self.residuals.len())
+            .filter(|f| self.residuals[*f] - self.residuals[best] <= LIKELY * scale)
             .min_by(|a, b| self.velocity_mps(*a).abs().total_cmp(&self.velocity_mps(*b).abs()));
         let velocity_mps = self.velocity_mps(slowest.unwrap_or(best));
-        let is_certain = margin >= CERTAIN && no_other_is_driven(velocity_mps, self.ambiguity_mps());
+        let is_certain = margin >= CERTAIN && is_unambiguous(velocity_mps, self.ambiguity_mps());
         ChosenFold { velocity_mps, margin, is_certain }
     }
 
     /// Velocity span λ/2T, with T from any chirp to the next, m/s.
     fn ambiguity_mps(&self) -> f64 {
-        self.span_mps * self.left.len() as f64
+        self.span_mps * self.residuals.len() as f64
     }
 
     fn velocity_mps(&self, fold: usize) -> f64 {
@@ -120,10 +120,10 @@ impl Folds {
 }
 
 /// Power of a snapshot and of idle codes, less that of the strongest beam.
-fn left_over(array: &VirtualArray, snapshot: &Snapshot, idle: f64, range_m: f64) -> f64 {
+fn residual_power(array: &VirtualArray, snapshot: &Snapshot, idle: f64, range_m: f64) -> f64 {
     let total: f64 = snapshot.iter().map(|v| v.norm_sqr()).sum();
     let direction = array.direction(std::slice::from_ref(snapshot), range_m);
-    (total + idle - array.explained(snapshot, direction, range_m)).max(0.0)
+    (total + idle - array.explained_power(snapshot, direction, range_m)).max(0.0)
 }
 
 /// Smallest share of an echo's power that any wrong fold loses, over echoes from these direction cosines; 0
@@ -136,7 +136,7 @@ pub fn least_loss(header: &CubeHeader, directions: &[Direction], range_m: f64) -
             array.steering(*direction, range_m).into_iter().map(|turn_back| turn_back.conj()).collect();
         let power = echo.len() as f64;
         let (snapshot, idle) = misfolded(&array, echo, fold);
-        left_over(&array, &snapshot, idle, range_m) / power
+        residual_power(&array, &snapshot, idle, range_m) / power
     };
     let losses = directions.iter().flat_map(|d| (1..slots).map(move |fold| lost(d, fold)));
     losses.fold(1.0, f64::min)

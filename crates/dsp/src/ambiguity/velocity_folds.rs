@@ -11,7 +11,7 @@
 
 use crate::ambiguity::ambiguous_velocities::{FASTEST_MPS, ambiguity_mps};
 use crate::direction::angle::Direction;
-use crate::direction::position::{Place, place};
+use crate::direction::position::{WorldPosition, world_position};
 use crate::plan::Plan;
 use artifact::Radar;
 use artifact::points::{Object, Point, PointsFrame};
@@ -275,8 +275,8 @@ impl Scorer<'_> {
     }
 
     /// Place in the same direction from the array, at another range.
-    fn moved(&self, position_m: [f64; 3], from_m: f64, to_m: f64) -> Place {
-        place(&self.own.plan.array, self.direction(position_m, from_m), to_m)
+    fn moved(&self, position_m: [f64; 3], from_m: f64, to_m: f64) -> WorldPosition {
+        world_position(&self.own.plan.array, self.direction(position_m, from_m), to_m)
     }
 
     fn direction(&self, position_m: [f64; 3], range_m: f64) -> Direction {

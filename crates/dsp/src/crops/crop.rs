@@ -48,20 +48,20 @@ impl<'a> Cropper<'a> {
     /// are black. Ranges are those of echoes at the object's velocity (free of range–Doppler coupling), like
     /// [`Object::range_m`].
     pub fn crop(&self, object: &Object) -> Result<Crop, DspError> {
-        self.drawn(object, |patch| patch)
+        self.rendered(object, |patch| patch)
     }
 
     /// Crop of an object among the others of its frame: cells nearer to a point of another object are limited
     /// to the noise level.
     pub fn crop_among(&self, points: &PointsFrame, object: u32) -> Result<Crop, DspError> {
         let own = points.objects.get(object as usize).ok_or(DspError::NoSuchObject { object })?;
-        self.drawn(own, |patch| {
+        self.rendered(own, |patch| {
             let owners = CellOwners::within(self.plan.array.cells(), points, patch.window());
             patch.capped(self.noise, |cell| owners.of(cell).is_some_and(|owner| owner != object))
         })
     }
 
-    fn drawn(&self, object: &Object, kept: impl FnOnce(Patch) -> Patch) -> Result<Crop, DspError> {
+    fn rendered(&self, object: &Object, kept: impl FnOnce(Patch) -> Patch) -> Result<Crop, DspError> {
         check_object(object)?;
         let (axes, format) = (self.plan.array.cells(), &self.format);
         let centre_mps = object.radial_velocity_mps;

@@ -2,7 +2,7 @@
 
 use crate::crops::crop::{PAPER_CROP, grey};
 use crate::error::DspError;
-use crate::spectrum::noncoherent::Levels;
+use crate::spectrum::noncoherent::PowerLevels;
 use crate::spectrum::shapes::Shapes;
 use artifact::cube::CubeHeader;
 use artifact::rdm::RdmFrame;
@@ -15,7 +15,7 @@ use ndarray::ArrayView2;
 /// power. Pixel centres span from half a cell before the first to half a cell after the last; beyond the
 /// outermost cell centres, values are constant.
 pub fn rdm_grayscale(header: &CubeHeader, map: &RdmFrame) -> Result<Vec<u8>, DspError> {
-    let levels = Levels::of(&Shapes::of(header)?, map)?;
+    let levels = PowerLevels::of(&Shapes::of(header)?, map)?;
     let (power, noise) = (levels.power(), levels.noise() * header.radar.map_channels() as f64);
     let (rows, columns) = power.dim();
     let side = PAPER_CROP.side as usize;

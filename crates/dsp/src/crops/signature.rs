@@ -8,7 +8,7 @@
 use crate::crops::cell_owners::CellOwners;
 use crate::crops::crop::{check_object, direction_of};
 use crate::direction::angle::Direction;
-use crate::direction::position::{Place, place};
+use crate::direction::position::{WorldPosition, world_position};
 use crate::error::DspError;
 use crate::plan::Plan;
 use artifact::points::{Object, PointsFrame};
@@ -53,7 +53,7 @@ struct Search<'o> {
     owners: CellOwners,
     rows: [i64; 2],
     direction: Direction,
-    place: Place,
+    position: WorldPosition,
 }
 
 impl<'a> Signatures<'a> {
@@ -130,7 +130,7 @@ impl<'a> Signatures<'a> {
             owners: CellOwners::within(axes, points, [rows, columns]),
             rows,
             direction,
-            place: place(array, direction, object.range_m),
+            position: world_position(array, direction, object.range_m),
         }
     }
 
@@ -157,11 +157,11 @@ impl<'a> Signatures<'a> {
         let snapshot = array.snapshot(self.map, [row, column as usize], velocity_mps);
         let range_m = self.range_at(column, velocity_mps).max(axes.range_cell_m);
         let (direction, found) = self.direction(search, &snapshot, range_m, power);
-        let explained = array.explained(&snapshot, direction, range_m);
+        let explained = array.explained_power(&snapshot, direction, range_m);
         let total: f64 = snapshot.iter().map(|value| value.norm_sqr()).sum();
         SignatureCell {
             level_db: db_from_power((explained / self.noise.max(f64::MIN_POSITIVE)).max(1e-3)) as f32,
-            cross_m: self.cross_m(&search.place, &found) as f32,
+            cross_m: self.cross_m(&search.position, &found) as f32,
             height_m: self.has_rows().then_some(found.position_m.z as f32),
             coherence: (explained / total.max(f64::MIN_POSITIVE)) as f32,
             velocity_spread_mps: 0.0,
@@ -175,16 +175,16 @@ impl<'a> Signatures<'a> {
         snapshot: &[Complex64],
         range_m: f64,
         power: f64,
-    ) -> (Direction, Place) {
+    ) -> (Direction, WorldPosition) {
         let array = &self.plan.array;
-        let own = || (search.direction, place(array, search.direction, range_m));
+        let own = || (search.direction, world_position(array, search.direction, range_m));
         let deviation = self.noise / (snapshot.len() as f64).sqrt();
         if power < self.noise + DEVIATIONS * deviation {
             return own();
         }
         let direction = array.direction(&[snapshot.to_vec()], range_m);
-        let found = place(array, direction, range_m);
-        if self.cross_m(&search.place, &found).abs() <= ACROSS_M { (direction, found) } else { own() }
+        let found = world_position(array, direction, range_m);
+        if self.cross_m(&search.position, &found).abs() <= ACROSS_M { (direction, found) } else { own() }
     }
 
     /// Standard deviation of velocity over an object's rows, weighted by the power above the noise, m/s.
@@ -237,7 +237,7 @@ impl<'a> Signatures<'a> {
     }
 
     /// Distance of a position to the right of an object's, across the horizontal line of sight to it, m.
-    fn cross_m(&self, object: &Place, found: &Place) -> f64 {
+    fn cross_m(&self, object: &WorldPosition, found: &WorldPosition) -> f64 {
         let radar = self.plan.array.position_m();
         let sight = (object.position_m - radar).truncate().normalize_or(DVec2::Y);
         (found.position_m - object.position_m).truncate().dot(DVec2::new(sight.y, -sight.x))

@@ -58,7 +58,7 @@ impl Censoring {
 
 /// Mask with hidden cells detected; `noise_threshold` is the level that noise alone rarely exceeds if its
 /// mean is known.
-pub(crate) fn unmasked(
+pub(crate) fn recover_masked(
     censoring: &Censoring,
     power: ArrayView2<f64>,
     mask: &[u8],
@@ -73,7 +73,7 @@ pub(crate) fn unmasked(
     let mut hidden: Vec<usize> = strong.map(|(cell, _)| cell).collect();
     let mut window = TrainingWindow { power, censoring: *censoring, factors: BTreeMap::new() };
     for _ in 0..MOST_PASSES {
-        let echoes = window.with_skirts(&mask);
+        let echoes = window.with_guard_cells(&mask);
         let (found, left): (Vec<usize>, Vec<usize>) =
             hidden.into_iter().partition(|cell| window.passes(*cell, &echoes));
         if found.is_empty() {
@@ -95,7 +95,7 @@ struct TrainingWindow<'a> {
 impl TrainingWindow<'_> {
     /// Detected cells and those within the guard distance of one, which may still contain an echo's main
     /// lobe.
-    fn with_skirts(&self, mask: &[u8]) -> Vec<bool> {
+    fn with_guard_cells(&self, mask: &[u8]) -> Vec<bool> {
         let columns = self.power.ncols();
         let mut echoes = vec![false; mask.len()];
         for cell in (0..mask.len()).filter(|cell| mask[*cell] == DETECTED) {

@@ -26,9 +26,7 @@ use crate::detection::cell_power::CellPower;
 use crate::detection::cfar_threshold::threshold_factor;
 use crate::detection::correlated_cells::{Correlation, Rectangle, Region};
 use crate::detection::images::Images;
-use crate::detection::noise_estimate::{
-    averaged_factor, correlated_ordered_factor, greatest_of_factor, ordered_factor, smallest_of_factor,
-};
+use crate::detection::noise_estimate::{ca_factor, correlated_os_factor, go_factor, os_factor, so_factor};
 use crate::error::{Axis, DspError};
 use crate::numerics::summed_area_table::BoxSums;
 use crate::spectrum::shapes::Shapes;
@@ -352,12 +350,12 @@ fn threshold(
     let half = |region: &Region| correlation.rectangle_power(region, channels);
     let is_white = correlation.is_white() && regions.iter().all(|region| region.image.is_none());
     let independent = match (settings.detector, regions) {
-        (Detector::OsCfar, [ring, ..]) if is_white => ordered_factor(ring.cells(), rank, cell, rate),
-        (Detector::OsCfar, [ring, ..]) => correlated_ordered_factor(correlation, ring, rank, cell, rate),
-        (Detector::GoCfar, [a, b]) => greatest_of_factor([&half(a), &half(b)], cell, rate),
-        (Detector::SoCfar, [a, b]) => smallest_of_factor([&half(a), &half(b)], cell, rate),
+        (Detector::OsCfar, [ring, ..]) if is_white => os_factor(ring.cells(), rank, cell, rate),
+        (Detector::OsCfar, [ring, ..]) => correlated_os_factor(correlation, ring, rank, cell, rate),
+        (Detector::GoCfar, [a, b]) => go_factor([&half(a), &half(b)], cell, rate),
+        (Detector::SoCfar, [a, b]) => so_factor([&half(a), &half(b)], cell, rate),
         _ if is_white => threshold_factor(cells as f64, channels, rate),
-        _ => averaged_factor(&regions.iter().flat_map(mean).collect::<Vec<_>>(), cell, rate),
+        _ => ca_factor(&regions.iter().flat_map(mean).collect::<Vec<_>>(), cell, rate),
     };
     let leak: f64 =
         regions.iter().map(|r| correlation.leak(r) * r.cells() as f64).sum::<f64>() / cells as f64;

@@ -106,7 +106,7 @@ impl Correlation {
 
     /// Power of the cell under test, over M channels.
     pub(crate) fn cell_power(&self, channels: usize) -> CellPower {
-        CellPower::of(&self.bands[0].of_a_cell(), channels)
+        CellPower::of(&self.bands[0].cell_eigenvalues(), channels)
     }
 
     /// Whether a region's noise correlates with that of its image.

@@ -17,7 +17,7 @@ use crate::numerics::regula_falsi::falling_root;
 use crate::numerics::saddle_point_inversion::{WeightedGamma, probability_below};
 
 /// Threshold factor α for the mean of a region's cells.
-pub(crate) fn averaged_factor(mean: &[WeightedGamma], cell: &CellPower, rate: f64) -> f64 {
+pub(crate) fn ca_factor(mean: &[WeightedGamma], cell: &CellPower, rate: f64) -> f64 {
     falling_root(rate, |factor| {
         let scaled = |g: &WeightedGamma| WeightedGamma { weight: g.weight * factor * cell.mean(), ..*g };
         let form: Vec<_> = mean.iter().map(scaled).chain(cell.negated()).collect();
@@ -26,12 +26,12 @@ pub(crate) fn averaged_factor(mean: &[WeightedGamma], cell: &CellPower, rate: f6
 }
 
 /// Threshold factor α for the greater mean of two regions with independent noise.
-pub(crate) fn greatest_of_factor(halves: [&[WeightedGamma]; 2], cell: &CellPower, rate: f64) -> f64 {
+pub(crate) fn go_factor(halves: [&[WeightedGamma]; 2], cell: &CellPower, rate: f64) -> f64 {
     factor(cell, rate, |t| halves.map(|half| probability_below(half, t)).iter().product())
 }
 
 /// Threshold factor α for the smaller mean of two regions with independent noise.
-pub(crate) fn smallest_of_factor(halves: [&[WeightedGamma]; 2], cell: &CellPower, rate: f64) -> f64 {
+pub(crate) fn so_factor(halves: [&[WeightedGamma]; 2], cell: &CellPower, rate: f64) -> f64 {
     factor(cell, rate, |t| {
         let [a, b] = halves.map(|half| probability_below(half, t));
         // 1 − (1 − a)(1 − b) without cancellation for small a and b.
@@ -40,7 +40,7 @@ pub(crate) fn smallest_of_factor(halves: [&[WeightedGamma]; 2], cell: &CellPower
 }
 
 /// Threshold factor α for the cell of this rank, counted from 1 at the weakest, of independent cells.
-pub(crate) fn ordered_factor(cells: usize, rank: usize, cell: &CellPower, rate: f64) -> f64 {
+pub(crate) fn os_factor(cells: usize, rank: usize, cell: &CellPower, rate: f64) -> f64 {
     let (below, above) = (rank as f64, (cells - rank + 1) as f64);
     factor(cell, rate, |t| beta_below(below, above, cell.below(cell.mean() * t)))
 }
@@ -52,7 +52,7 @@ pub(crate) fn ordered_factor(cells: usize, rank: usize, cell: &CellPower, rate: 
 /// κ_ij^n, c_n the coefficients of the step at t in Laguerre polynomials. It equals that of n = N·(N u(1 −
 /// u))/variance independent cells, each counted N/n times, of which k′ − ½ = (k − ½)·n/N are required (½:
 /// counts are integers).
-pub(crate) fn correlated_ordered_factor(
+pub(crate) fn correlated_os_factor(
     correlation: &Correlation,
     region: &Region,
     rank: usize,
@@ -96,16 +96,16 @@ fn step_coefficients(channels: usize, t: f64) -> impl Iterator<Item = f64> {
 
 /// Threshold factor α at which ∫ P(y > αt) dG(t) equals the rate, with T in units of one cell's mean.
 fn factor(cell: &CellPower, rate: f64, below: impl Fn(f64) -> f64) -> f64 {
-    let grid = Steps::new(rate, below);
+    let grid = DiscretizedDistribution::new(rate, below);
     falling_root(rate, |factor| grid.false_alarm_rate(factor * cell.mean(), cell))
 }
 
 /// A discretised distribution: (t at the centre of a step, probability of the step).
-struct Steps {
+struct DiscretizedDistribution {
     steps: Vec<(f64, f64)>,
 }
 
-impl Steps {
+impl DiscretizedDistribution {
     /// Divides a distribution, given by its cumulative function, into steps. The part below the grid passes
     /// with its own probability at most, the part above with less than the rate.
     fn new(rate: f64, below: impl Fn(f64) -> f64) -> Self {
@@ -167,7 +167,7 @@ mod tests {
         {
             let (asked, got) = (
                 threshold_factor(cells, channels, rate),
-                averaged_factor(&independent(cells, channels), &CellPower::of_channels(channels), rate),
+                ca_factor(&independent(cells, channels), &CellPower::of_channels(channels), rate),
             );
             assert!((got / asked - 1.0).abs() < 1e-8, "{cells} × {channels}: {got} against {asked}");
         }
@@ -182,7 +182,7 @@ mod tests {
             [(16, 11.0802, 20.9542), (32, 8.5801, 14.3985), (64, 7.5536, 11.9802), (128, 7.0855, 10.9292)]
         {
             for (rate, asked) in [(1e-4, at_1e4), (1e-6, at_1e6)] {
-                let got = ordered_factor(cells, cells * 3 / 4, &one, rate);
+                let got = os_factor(cells, cells * 3 / 4, &one, rate);
                 println!("{cells} cells at {rate:e}: {got:.5} against {asked}");
                 assert!((got / asked - 1.0).abs() < 2e-4, "{cells} cells at {rate:e}: {got} against {asked}");
             }
@@ -195,9 +195,9 @@ mod tests {
         // with mean ½, so 1/(1 + α/2); and max = both less min: 2/(1 + α) − 1/(1 + α/2).
         let (half, one) = (independent(1.0, 1), CellPower::of_channels(1));
         for rate in [1e-2, 1e-4] {
-            let smallest = smallest_of_factor([&half, &half], &one, rate);
+            let smallest = so_factor([&half, &half], &one, rate);
             assert!((1.0 / (1.0 + 0.5 * smallest) / rate - 1.0).abs() < 1e-2, "{rate}: {smallest}");
-            let greatest = greatest_of_factor([&half, &half], &one, rate);
+            let greatest = go_factor([&half, &half], &one, rate);
             let got = 2.0 / (1.0 + greatest) - 1.0 / (1.0 + 0.5 * greatest);
             assert!((got / rate - 1.0).abs() < 1e-2, "{rate}: {greatest} gives {got}");
         }

@@ -14,14 +14,14 @@ use artifact::units::power_from_db;
 
 /// Origin of the noise level that thresholds are based on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Floor {
+pub(crate) enum NoiseFloorOrigin {
     /// Estimated from the map's own cells.
     Estimated,
     /// Assumed below the peak of a noise-free map.
     Assumed,
 }
 
-impl Floor {
+impl NoiseFloorOrigin {
     /// Origin for a header; quantized samples always contain noise, whatever the scene specifies.
     pub(crate) fn of(header: &CubeHeader) -> Self {
         match (header.noise, header.unit) {
@@ -34,14 +34,14 @@ impl Floor {
 /// Whether maps of these cubes contain noise to estimate; otherwise thresholds and levels above noise are
 /// based on an assumed floor below the peak.
 pub fn has_noise(header: &CubeHeader) -> bool {
-    Floor::of(header) == Floor::Estimated
+    NoiseFloorOrigin::of(header) == NoiseFloorOrigin::Estimated
 }
 
 /// Map of one frame, with the cells tested and detected by the detector.
 pub(crate) fn range_doppler(
     transform: &RangeDoppler,
     detector: &Cfar,
-    floor: Floor,
+    floor: NoiseFloorOrigin,
     frame: &CubeFrame,
 ) -> Result<RdmFrame, DspError> {
     let values = transform.all_channels(frame)?;
@@ -63,7 +63,7 @@ pub(crate) fn range_doppler(
 }
 
 /// Floor assumed for a noise-free map, 60 dB below its peak (`docs/scenes.md`, `[noise]`).
-fn assumed_floor(floor: Floor, power: &[f64]) -> Option<f64> {
+fn assumed_floor(floor: NoiseFloorOrigin, power: &[f64]) -> Option<f64> {
     let peak = power.iter().copied().fold(0.0, f64::max);
-    (floor == Floor::Assumed).then(|| peak * power_from_db(-FLOOR_BELOW_PEAK_DB))
+    (floor == NoiseFloorOrigin::Assumed).then(|| peak * power_from_db(-FLOOR_BELOW_PEAK_DB))
 }

@@ -93,7 +93,7 @@ impl SummedBands {
     }
 
     /// Eigenvalues of the bands of one cell; their mean is 1.
-    pub(crate) fn of_a_cell(&self) -> Vec<f64> {
+    pub(crate) fn cell_eigenvalues(&self) -> Vec<f64> {
         eigenvalues(self.matrix(1))
     }
 

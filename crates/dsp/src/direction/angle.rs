@@ -39,7 +39,7 @@ pub struct VirtualArray {
     /// |tx|² + |rx|² of each channel, m².
     squares_m2: Vec<f64>,
     lattices: [Lattice; 2],
-    filled: Filled,
+    occupied: OccupiedRows,
     transforms: [Arc<dyn Fft<f64>>; 2],
 }
 
@@ -90,7 +90,7 @@ impl VirtualArray {
         let lattices = lattices(radar);
         let mut planner = FftPlanner::new();
         let transforms = [0, 1].map(|axis: usize| planner.plan_fft_inverse(lattices[axis].cells()));
-        let filled = Filled::of(lattices[1].places());
+        let occupied = OccupiedRows::of(lattices[1].places());
         let squares_m2 = elements.iter().map(|[tx, rx]| tx.length_squared() + rx.length_squared()).collect();
         Self {
             cells: Axes::of(radar),
@@ -105,7 +105,7 @@ impl VirtualArray {
             slot_s,
             squares_m2,
             lattices,
-            filled,
+            occupied,
             transforms,
         }
     }
@@ -191,7 +191,7 @@ impl VirtualArray {
     }
 
     /// Power of a cell explained by an echo from this direction.
-    pub(crate) fn explained(&self, snapshot: &[Complex64], direction: Direction, range_m: f64) -> f64 {
+    pub(crate) fn explained_power(&self, snapshot: &[Complex64], direction: Direction, range_m: f64) -> f64 {
         self.beam(snapshot, &self.steering(direction, range_m)).norm_sqr() / snapshot.len() as f64
     }
 
@@ -279,7 +279,7 @@ impl VirtualArray {
     /// Beamwidths in direction cosines along right and up, λ over the virtual extent; infinite without
     /// extent.
     pub fn beams(&self) -> [f64; 2] {
-        [0, 1].map(|axis: usize| self.lattices[axis].beam())
+        [0, 1].map(|axis: usize| self.lattices[axis].beamwidth())
     }
 
     /// Wavelength at the centre of the sampled sweep.
@@ -338,7 +338,7 @@ impl VirtualArray {
         let columns = self.lattices[0].cells();
         let AngleFft { grid, column, scratch } = work;
         grid.clear();
-        grid.resize(self.filled.rows.len() * columns, Complex64::ZERO);
+        grid.resize(self.occupied.rows.len() * columns, Complex64::ZERO);
         column.resize(self.lattices[1].cells(), Complex64::ZERO);
         let scratch_cells = self.transforms.iter().map(|t| t.get_inplace_scratch_len()).max().unwrap_or(0);
         scratch.resize(scratch_cells, Complex64::ZERO);
@@ -347,7 +347,7 @@ impl VirtualArray {
             // Wavefront curvature as for a target ahead; the climb corrects the remainder off boresight.
             let cycles = self.squares_m2[channel] * per_square_m2;
             let turn = turned_back(if cycles < FLAT { 0.0 } else { cycles });
-            grid[self.filled.of_channels[channel] * columns + self.lattices[0].places()[channel]] +=
+            grid[self.occupied.of_channels[channel] * columns + self.lattices[0].places()[channel]] +=
                 value * turn;
         }
         self.transforms[0].process_with_scratch(grid, scratch);
@@ -358,7 +358,7 @@ impl VirtualArray {
         let columns = self.lattices[0].cells();
         let AngleFft { grid, column: values, scratch } = work;
         values.fill(Complex64::ZERO);
-        for (index, row) in self.filled.rows.iter().enumerate() {
+        for (index, row) in self.occupied.rows.iter().enumerate() {
             values[*row] = grid[index * columns + column];
         }
         if values.len() > 1 {
@@ -369,14 +369,14 @@ impl VirtualArray {
 }
 
 /// Lattice rows along up that contain elements; a sparse array has few.
-struct Filled {
+struct OccupiedRows {
     /// Indices of the rows on the lattice, ascending.
     rows: Vec<usize>,
     /// Index among these rows for each channel.
     of_channels: Vec<usize>,
 }
 
-impl Filled {
+impl OccupiedRows {
     fn of(places: &[usize]) -> Self {
         let mut rows = places.to_vec();
         rows.sort_unstable();
@@ -399,7 +399,7 @@ struct AngleFft {
 pub fn search_bytes(radar: &Radar) -> u64 {
     let [across, up] = lattices(radar);
     let power = (across.visible().len() * up.visible().len()) * size_of::<f64>();
-    let spectra = Filled::of(up.places()).rows.len() * across.cells() * size_of::<Complex64>();
+    let spectra = OccupiedRows::of(up.places()).rows.len() * across.cells() * size_of::<Complex64>();
     (power + spectra) as u64
 }
 

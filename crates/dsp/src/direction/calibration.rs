@@ -7,7 +7,7 @@
 use crate::direction::angle::{Direction, VirtualArray};
 use crate::error::DspError;
 use crate::spectrum::axes::Axes;
-use crate::spectrum::noncoherent::Levels;
+use crate::spectrum::noncoherent::PowerLevels;
 use artifact::rdm::RdmFrame;
 use artifact::units::{db_from_power, power_from_db};
 use glam::DVec3;
@@ -25,7 +25,7 @@ const REACH: usize = 2;
 /// The reflector is at rest at `position_m`, world metres. The array's calibration is not used.
 pub(crate) fn channel_errors(
     array: &VirtualArray,
-    levels: &Levels,
+    levels: &PowerLevels,
     map: &RdmFrame,
     position_m: [f64; 3],
 ) -> Result<Vec<Complex64>, DspError> {

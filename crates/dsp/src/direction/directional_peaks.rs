@@ -13,13 +13,13 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 
 /// A map seen through its array.
-pub(crate) struct Beams<'a> {
+pub(crate) struct BeamformedMap<'a> {
     pub(crate) map: &'a RdmFrame,
     pub(crate) array: &'a VirtualArray,
     pub(crate) finder: &'a PeakFinder,
 }
 
-impl Beams<'_> {
+impl BeamformedMap<'_> {
     /// Additional peaks on the slopes of `peaks`, strongest first; `slopes` are detected cells and the peak
     /// on whose slope each lies.
     pub(crate) fn on_slopes(&self, slopes: &[([usize; 2], usize)], peaks: &[Peak]) -> Vec<Peak> {
@@ -73,7 +73,7 @@ struct Beam {
 }
 
 impl Beam {
-    fn strongest(view: &Beams<'_>, cell: [usize; 2]) -> Self {
+    fn strongest(view: &BeamformedMap<'_>, cell: [usize; 2]) -> Self {
         let axes = view.array.cells();
         let velocity_mps = axes.wrapped(axes.velocity_at(cell[0] as f64));
         let range_m = axes.range_of(cell[1] as f64, velocity_mps);
@@ -82,11 +82,11 @@ impl Beam {
         Self { steering: view.array.steering(direction, range_m), velocity_mps }
     }
 
-    fn value(&self, view: &Beams<'_>, cell: [usize; 2]) -> Complex64 {
+    fn value(&self, view: &BeamformedMap<'_>, cell: [usize; 2]) -> Complex64 {
         view.array.beam(&view.array.snapshot(view.map, cell, self.velocity_mps), &self.steering)
     }
 
-    fn power(&self, view: &Beams<'_>, cell: [usize; 2]) -> f64 {
+    fn power(&self, view: &BeamformedMap<'_>, cell: [usize; 2]) -> f64 {
         self.value(view, cell).norm_sqr()
     }
 }

@@ -55,7 +55,7 @@ const MOST_DIRECTIONS: usize = 512;
 /// Whether this array can distinguish such a pair from direct echoes: both its transmitters and its receivers
 /// have several positions along the row (otherwise one end has the same phases for both directions, and the
 /// pair is a sum of two direct echoes), and the row is not too long to search.
-pub(crate) fn can_tell(array: &VirtualArray) -> bool {
+pub(crate) fn is_detectable(array: &VirtualArray) -> bool {
     let steps = (1.0 / (STEP_BEAMS * array.beams()[0])).floor();
     array.ends_have_rows() && 2.0 * steps + 1.0 <= MOST_DIRECTIONS as f64
 }
@@ -69,13 +69,13 @@ pub fn multipath_ghost(
     direct: Direction,
     noise: f64,
 ) -> Option<MultipathGhost> {
-    let rows = Rows::of(array, snapshot, range_m)?;
-    let start = rows.coarse(direct.up)?;
-    let (pair, by_waves) = rows.climbed(start);
+    let snapshot_matrix = MimoSnapshot::of(array, snapshot, range_m)?;
+    let start = snapshot_matrix.coarse(direct.up)?;
+    let (pair, by_waves) = snapshot_matrix.climbed(start);
     // Pairs of beams from which the best was chosen.
     let beams = array.beams().into_iter().filter(|beam| beam.is_finite());
     let least_evidence = beams.map(|beam| (2.0 / beam).powi(2)).product::<f64>().ln() - FALSE_RATE.ln();
-    let alone = array.explained(snapshot, direct, range_m);
+    let alone = array.explained_power(snapshot, direct, range_m);
     // Most cells end here: one direct echo explains them equally well.
     let apart_beams = (pair[0].right - pair[1].right).abs() / array.beams()[0];
     if apart_beams < LEAST_APART_BEAMS || by_waves - alone <= least_evidence * noise || noise <= 0.0 {
@@ -92,7 +92,7 @@ pub fn multipath_ghost(
 }
 
 /// A cell's channels by transmit and receive elements.
-struct Rows<'a> {
+struct MimoSnapshot<'a> {
     array: &'a VirtualArray,
     /// `[transmit][receive]`.
     values: Vec<&'a [Complex64]>,
@@ -106,7 +106,7 @@ struct SteeringVectors {
     rx: Vec<Complex64>,
 }
 
-impl<'a> Rows<'a> {
+impl<'a> MimoSnapshot<'a> {
     /// Arranges a snapshot; `None` if one end has a single element.
     fn of(array: &'a VirtualArray, snapshot: &'a [Complex64], range_m: f64) -> Option<Self> {
         let receivers = array.division().receivers;

@@ -71,7 +71,7 @@ fn likeliest(
     // Each echo takes a complex amplitude and a direction: more echoes than a third of the channels leave no
     // evidence.
     while best.directions.len() < MOST_SOURCES.min(snapshot.len() / 3) {
-        match one_more(array, snapshot, range_m, &best) {
+        match with_one_more_echo(array, snapshot, range_m, &best) {
             Some(more)
                 if best.residual_power - more.residual_power > threshold
                     && more.weakest() > WEAKEST_SHARE * total =>
@@ -128,7 +128,7 @@ fn split_threshold(channels: usize) -> f64 {
 
 /// Best fit with one more echo: an existing one split in two, or a new one where the residual's beam is
 /// strongest.
-fn one_more(
+fn with_one_more_echo(
     array: &VirtualArray,
     snapshot: &[Complex64],
     range_m: f64,
@@ -148,13 +148,13 @@ fn one_more(
         }
     }
     let fits = starts.iter().filter_map(|start| {
-        Some(settled(array, snapshot, range_m, AmplitudeFit::new(array, snapshot, range_m, start)?))
+        Some(gauss_newton(array, snapshot, range_m, AmplitudeFit::new(array, snapshot, range_m, start)?))
     });
     fits.min_by(|a, b| a.residual_power.total_cmp(&b.residual_power))
 }
 
 /// Gauss–Newton with Levenberg–Marquardt damping, which never increases the residual.
-fn settled(
+fn gauss_newton(
     array: &VirtualArray,
     snapshot: &[Complex64],
     range_m: f64,
@@ -209,7 +209,7 @@ impl AmplitudeFit {
         for direction in directions {
             let mut echo: Vec<Complex64> =
                 array.steering(*direction, range_m).iter().map(|turn| turn.conj()).collect();
-            let mut column: Vec<Complex64> = basis.iter().map(|q| take_out(q, &mut echo)).collect();
+            let mut column: Vec<Complex64> = basis.iter().map(|q| project_out(q, &mut echo)).collect();
             let left = power(&echo).sqrt();
             // Closer than 1/2000 of a beamwidth the amplitudes exceed a thousand times the echo.
             (left > 1e-3 * (snapshot.len() as f64).sqrt()).then_some(())?;
@@ -219,7 +219,7 @@ impl AmplitudeFit {
             triangle.push(column);
         }
         let mut residual = snapshot.to_vec();
-        let mut amplitudes: Vec<Complex64> = basis.iter().map(|q| take_out(q, &mut residual)).collect();
+        let mut amplitudes: Vec<Complex64> = basis.iter().map(|q| project_out(q, &mut residual)).collect();
         for i in (0..amplitudes.len()).rev() {
             let known: Complex64 = (i + 1..amplitudes.len()).map(|k| triangle[k][i] * amplitudes[k]).sum();
             amplitudes[i] = (amplitudes[i] - known) / triangle[i][i];
@@ -254,7 +254,7 @@ impl AmplitudeFit {
                 };
                 let mut slope: Vec<Complex64> = steering.iter().zip(&excess).map(per_cosine).collect();
                 self.basis.iter().for_each(|q| {
-                    take_out(q, &mut slope);
+                    project_out(q, &mut slope);
                 });
                 slope
             })
@@ -284,7 +284,7 @@ fn inner(q: &[Complex64], v: &[Complex64]) -> Complex64 {
 }
 
 /// Removes the component along a unit vector from `v` and returns it.
-fn take_out(q: &[Complex64], v: &mut [Complex64]) -> Complex64 {
+fn project_out(q: &[Complex64], v: &mut [Complex64]) -> Complex64 {
     let part = inner(q, v);
     v.iter_mut().zip(q).for_each(|(v, q)| *v -= part * q);
     part

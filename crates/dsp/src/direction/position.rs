@@ -6,7 +6,7 @@ use glam::DVec3;
 
 /// Position of a point in world axes, with its angles.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Place {
+pub(crate) struct WorldPosition {
     /// World metres.
     pub(crate) position_m: DVec3,
     /// Azimuth from +y towards +x.
@@ -24,7 +24,7 @@ pub(crate) struct Place {
 /// array ([`at_height`]). A circle that stays above it, R²(1 − u²) < (h − z_radar)², has no such point: then
 /// the point is at the array's own height, and its azimuth is that of the boresight plus the cone angle asin
 /// u.
-pub(crate) fn place(array: &VirtualArray, direction: Direction, range_m: f64) -> Place {
+pub(crate) fn world_position(array: &VirtualArray, direction: Direction, range_m: f64) -> WorldPosition {
     let [right, up, ahead] = array.axes();
     let [u, w, out_of_plane] = direction.cosines();
     let (from_radar, height) = match direction.up {
@@ -34,7 +34,7 @@ pub(crate) fn place(array: &VirtualArray, direction: Direction, range_m: f64) ->
             None => (of_row(right, [range_m * u, range_m * across(u), 0.0]), Height::None),
         },
     };
-    Place {
+    WorldPosition {
         position_m: array.position_m() + from_radar,
         azimuth_rad: from_radar.x.atan2(from_radar.y),
         elevation_rad: from_radar.z.atan2(from_radar.x.hypot(from_radar.y)),

@@ -11,7 +11,7 @@ use artifact::Radar;
 
 /// Minimum standard errors.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Bound {
+pub struct CramerRaoBound {
     /// Standard error of the range at mid-frame, including the velocity's contribution through range–Doppler
     /// coupling.
     pub range_m: f64,
@@ -23,7 +23,7 @@ pub struct Bound {
 
 /// Bound for a signal-to-noise power ratio per cell of one channel's unwindowed map, for simultaneous
 /// transmitters.
-pub fn cramer_rao(radar: &Radar, snr_per_cell: f64) -> Bound {
+pub fn cramer_rao(radar: &Radar, snr_per_cell: f64) -> CramerRaoBound {
     let waveform = &radar.waveform;
     let snr = snr_per_cell * radar.virtual_channels() as f64;
     let cells = |count: u32| {
@@ -33,7 +33,7 @@ pub fn cramer_rao(radar: &Radar, snr_per_cell: f64) -> Bound {
     let velocity_mps = radar.velocity_resolution_mps() * cells(waveform.chirps);
     let shown_m = waveform.range_resolution_m() * cells(waveform.samples);
     let coupled_m = velocity_mps * waveform.centre_frequency_hz() / waveform.slope_hz_per_s;
-    Bound { range_m: shown_m.hypot(coupled_m), velocity_mps, cosines: cosines(radar, snr) }
+    CramerRaoBound { range_m: shown_m.hypot(coupled_m), velocity_mps, cosines: cosines(radar, snr) }
 }
 
 /// Bounds of the direction cosines: the inverse of 2·SNR·(2π/λ)²·M₂, M₂ the 2 × 2 central second moments of

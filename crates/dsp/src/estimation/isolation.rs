@@ -9,8 +9,8 @@
 //! cell; over the array it is the other's beam towards the echo's direction.
 //!
 //! There are two tests. [`Neighbours`] adds up this error over all other peaks of the map. Echoes under the
-//! same peak are not among them: [`fits_alone`] searches for a second echo in the residual of the samples
-//! after subtracting the fitted one.
+//! same peak are not among them: [`single_echo_fits`] searches for a second echo in the residual of the
+//! samples after subtracting the fitted one.
 
 use crate::detection::peaks::Peak;
 use crate::direction::angle::{Direction, VirtualArray};
@@ -38,7 +38,7 @@ pub(crate) struct Neighbours<'a> {
 
 impl Neighbours<'_> {
     /// Whether the other peaks leave the estimates of the echo with this peak within 0.4 dB of their bound.
-    pub(crate) fn leave_alone(&self, peak: &Peak, echo: PointEcho) -> bool {
+    pub(crate) fn bias_is_negligible(&self, peak: &Peak, echo: PointEcho) -> bool {
         let beams = SteeringVector::new(&self.plan.array, echo);
         let mut bias = [0.0; PARAMETERS];
         for other in self.peaks.iter().filter(|other| (other.row, other.column) != (peak.row, peak.column)) {
@@ -130,7 +130,7 @@ const MODEL_ERROR: f64 = 1e-5;
 
 /// Whether nothing like a second echo remains near a fitted one, in any direction; `noise` is that of one
 /// sample.
-pub(crate) fn fits_alone(plan: &Plan, samples: &[Complex32], echo: &PointEcho, noise: f64) -> bool {
+pub(crate) fn single_echo_fits(plan: &Plan, samples: &[Complex32], echo: &PointEcho, noise: f64) -> bool {
     let array = &plan.array;
     let mut left = blocks(plan, samples, echo);
     let weight: f64 = left.iter().map(|b| b.weight).sum();

@@ -64,7 +64,7 @@ fn blocks_of_channel(
 ) -> Vec<Block> {
     let radar = &plan.radar;
     let [_, all_chirps, length] = plan.transform.shapes().cube;
-    let heard = heard(plan.array.division(), channel);
+    let channel_sources = channel_sources(plan.array.division(), channel);
     let calibration = plan.settings.calibration.get(channel).copied().unwrap_or(Complex64::ONE);
     let [rows, columns] = [all_chirps.div_ceil(BLOCKS), length.div_ceil(BLOCKS)];
     let row_blocks = (0..all_chirps).step_by(rows).map(|first| first..(first + rows).min(all_chirps));
@@ -72,12 +72,13 @@ fn blocks_of_channel(
         .flat_map(|chirps| {
             let mut sums = vec![Complex64::ZERO; length.div_ceil(columns)];
             let mut frame_s = 0.0;
-            for (chirp, from) in chirps.clone().flat_map(|chirp| heard.iter().map(move |from| (chirp, from)))
+            for (chirp, from) in
+                chirps.clone().flat_map(|chirp| channel_sources.iter().map(move |from| (chirp, from)))
             {
                 let start_s = radar.chirp_start_s(from.turn, chirp) - radar.frame_middle_s();
                 let turn_cycles = from.cycles * chirp as f64;
                 let phase = ChirpPhase::new(&radar.waveform, point, excess_m, start_s, turn_cycles);
-                frame_s += start_s / (chirps.len() * heard.len()) as f64;
+                frame_s += start_s / (chirps.len() * channel_sources.len()) as f64;
                 let row = &samples[(from.source * all_chirps + chirp) * length..][..length];
                 add_chirp((row, from.share), columns, &phase, &mut sums);
             }
@@ -93,7 +94,7 @@ fn blocks_of_channel(
 }
 
 /// Location in a cube of the chirps of a transmit–receive pair.
-struct Heard {
+struct ChannelSource {
     source: usize,
     /// Index of the transmitter or slot for [`Radar::chirp_start_s`](artifact::Radar::chirp_start_s).
     turn: usize,
@@ -105,14 +106,14 @@ struct Heard {
 
 /// Location of one channel; with codes, every slot, since the contributions of other transmitters cancel in
 /// sign.
-fn heard(division: &Division, channel: usize) -> Vec<Heard> {
+fn channel_sources(division: &Division, channel: usize) -> Vec<ChannelSource> {
     let &Division { multiplexing, receivers, slots, .. } = division;
     let (tx, rx) = (channel / receivers, channel % receivers);
     if multiplexing != Multiplexing::Bpm {
         let (source, cycles) = source_of(division, channel);
-        return vec![Heard { source, turn: tx, cycles, share: 1.0 }];
+        return vec![ChannelSource { source, turn: tx, cycles, share: 1.0 }];
     }
-    let of_slot = |slot: usize| Heard {
+    let of_slot = |slot: usize| ChannelSource {
         source: slot * receivers + rx,
         turn: slot,
         cycles: 0.0,

@@ -25,8 +25,8 @@
 //! speed, is lost to the one ahead; at ten times, the fading of two equal cars 6 m apart sufficed to lose
 //! one. A weaker group beside the front is its far corner: a bus is as wide as the strip.
 
-use crate::objects::cluster_member::Member;
-use crate::objects::rigid_pieces::drive_as_one;
+use crate::objects::cluster_point::ClusterPoint;
+use crate::objects::rigid_pieces::is_one_rigid_body;
 use crate::objects::velocity_steps::{DopplerAxis, range_of_step, steps_between};
 use artifact::settings::DspSettings;
 use radar::doppler_ambiguity::wrapped_mps;
@@ -34,14 +34,18 @@ use radar::doppler_ambiguity::wrapped_mps;
 /// Groups of indices into `members`, which are sorted strongest first.
 ///
 /// Every member is in exactly one group; groups are ordered by their strongest member, members by index.
-pub(crate) fn clusters(members: &[Member], settings: &DspSettings, axis: DopplerAxis) -> Vec<Vec<usize>> {
+pub(crate) fn clusters(
+    members: &[ClusterPoint],
+    settings: &DspSettings,
+    axis: DopplerAxis,
+) -> Vec<Vec<usize>> {
     let echoes = Echoes { members, settings, axis };
     let mut groups = echoes.chains();
     groups.sort_by_key(|group| group[0]);
-    let groups = joined_to_earlier(groups, |piece, body| {
-        echoes.is_piece(piece, body) || echoes.drive_as_one([body, piece])
+    let groups = merged_into_earlier(groups, |piece, body| {
+        echoes.is_piece(piece, body) || echoes.is_one_rigid_body([body, piece])
     });
-    joined_to_earlier(groups, |tail, body| {
+    merged_into_earlier(groups, |tail, body| {
         !steps_between(members, axis, [tail, body])
             && (echoes.is_tail(tail, body) || echoes.is_wing(tail, body))
     })
@@ -75,7 +79,7 @@ const SIDELOBES: f64 = 0.01;
 /// Echoes of a frame, strongest first, and the criteria by which they belong together.
 #[derive(Clone, Copy)]
 struct Echoes<'a> {
-    members: &'a [Member],
+    members: &'a [ClusterPoint],
     settings: &'a DspSettings,
     axis: DopplerAxis,
 }
@@ -89,8 +93,8 @@ impl Echoes<'_> {
             if free[seed] {
                 let mut group = self.grow(seed, &mut free);
                 group.sort_unstable();
-                let parts = self.parted_by_velocity(group);
-                groups.extend(parts.into_iter().flat_map(|part| self.without_those_ahead(part)));
+                let parts = self.split_by_velocity(group);
+                groups.extend(parts.into_iter().flat_map(|part| self.split_before_front(part)));
             }
         }
         groups
@@ -124,20 +128,20 @@ impl Echoes<'_> {
 
     /// Splits a grown group wherever the velocity of the chain steps and no motion across the line of sight
     /// explains the step; members stay in order of index.
-    fn parted_by_velocity(&self, group: Vec<usize>) -> Vec<Vec<usize>> {
+    fn split_by_velocity(&self, group: Vec<usize>) -> Vec<Vec<usize>> {
         let Some(cut_m) = range_of_step(self.members, self.axis, &group) else { return vec![group] };
         let (near, far): (Vec<usize>, Vec<usize>) =
             group.iter().partition(|i| self.members[**i].range_m < cut_m);
-        if self.drive_as_one([&near, &far]) {
+        if self.is_one_rigid_body([&near, &far]) {
             return vec![group];
         }
-        let parts = [near, far].into_iter().flat_map(|part| self.parted_by_velocity(part));
+        let parts = [near, far].into_iter().flat_map(|part| self.split_by_velocity(part));
         parts.collect()
     }
 
     /// Separates from a grown group what lies ahead of its strongest echo's body: the chain of a queue is cut
     /// at the weakest echo between two fronts.
-    fn without_those_ahead(&self, group: Vec<usize>) -> Vec<Vec<usize>> {
+    fn split_before_front(&self, group: Vec<usize>) -> Vec<Vec<usize>> {
         let strongest = &self.members[group[0]];
         let ahead = group.iter().find(|i| self.members[**i].range_m < strongest.range_m - FRONT_M);
         let Some(front) =
@@ -153,7 +157,7 @@ impl Echoes<'_> {
         let cut_m = self.members[*valley].range_m;
         let (near, far): (Vec<usize>, Vec<usize>) =
             group.iter().partition(|i| self.members[**i].range_m < cut_m);
-        let mut groups = self.without_those_ahead(near);
+        let mut groups = self.split_before_front(near);
         groups.push(far);
         groups
     }
@@ -172,8 +176,8 @@ impl Echoes<'_> {
     }
 
     /// Whether one velocity explains two parts, one of which lies behind the other along it.
-    fn drive_as_one(&self, parts: [&[usize]; 2]) -> bool {
-        drive_as_one(self.members, self.settings, self.axis.span_mps, parts, self.piece_reach_m())
+    fn is_one_rigid_body(&self, parts: [&[usize]; 2]) -> bool {
+        is_one_rigid_body(self.members, self.settings, self.axis.span_mps, parts, self.piece_reach_m())
     }
 
     fn piece_reach_m(&self) -> f64 {
@@ -225,33 +229,33 @@ impl Echoes<'_> {
             && (strongest.cross_m - weak.cross_m).abs() <= reach_m
     }
 
-    fn near(&self, a: &Member, b: &Member) -> bool {
+    fn near(&self, a: &ClusterPoint, b: &ClusterPoint) -> bool {
         let near_in_range = (a.range_m - b.range_m).abs() <= self.settings.cluster_range_m;
         near_in_range && self.apart_mps(a, b) <= self.settings.cluster_velocity_mps
     }
 
     /// Velocity difference on the circle of one span.
-    fn apart_mps(&self, a: &Member, b: &Member) -> f64 {
+    fn apart_mps(&self, a: &ClusterPoint, b: &ClusterPoint) -> f64 {
         wrapped_mps(a.radial_velocity_mps - b.radial_velocity_mps, self.axis.span_mps).abs()
     }
 }
 
 /// Joins each group, strongest first, to the strongest earlier one that it belongs to, until none belongs to
 /// another.
-fn joined_to_earlier(
+fn merged_into_earlier(
     mut groups: Vec<Vec<usize>>,
     belongs: impl Fn(&[usize], &[usize]) -> bool,
 ) -> Vec<Vec<usize>> {
     loop {
         let before = groups.len();
-        groups = joined_once(groups, &belongs);
+        groups = merged_once(groups, &belongs);
         if groups.len() == before {
             return groups;
         }
     }
 }
 
-fn joined_once(groups: Vec<Vec<usize>>, belongs: &impl Fn(&[usize], &[usize]) -> bool) -> Vec<Vec<usize>> {
+fn merged_once(groups: Vec<Vec<usize>>, belongs: &impl Fn(&[usize], &[usize]) -> bool) -> Vec<Vec<usize>> {
     let mut joined: Vec<Vec<usize>> = Vec::new();
     for group in groups {
         match joined.iter_mut().find(|earlier| belongs(&group, earlier)) {
@@ -284,7 +288,7 @@ mod tests {
         groups(echoes.iter().map(|(range_m, db)| at(*range_m, *db)).collect())
     }
 
-    fn groups(mut members: Vec<Member>) -> Vec<Vec<f64>> {
+    fn groups(mut members: Vec<ClusterPoint>) -> Vec<Vec<f64>> {
         members.sort_by(|a, b| b.power.total_cmp(&a.power));
         let of = |group: &Vec<usize>| {
             let mut ranges: Vec<f64> = group.iter().map(|i| members[*i].range_m).collect();
@@ -297,8 +301,8 @@ mod tests {
         groups
     }
 
-    fn at(range_m: f64, db: f64) -> Member {
-        Member {
+    fn at(range_m: f64, db: f64) -> ClusterPoint {
+        ClusterPoint {
             range_m,
             radial_velocity_mps: 0.0,
             cross_m: 2.0,
@@ -350,10 +354,12 @@ mod tests {
 
     #[test]
     fn bodies_of_a_queue_that_starts_are_parted_where_the_velocity_steps() {
-        let moving = |(range_m, db, radial_velocity_mps)| Member { radial_velocity_mps, ..at(range_m, db) };
+        let moving =
+            |(range_m, db, radial_velocity_mps)| ClusterPoint { radial_velocity_mps, ..at(range_m, db) };
         let found = groups(QUEUE.map(moving).to_vec());
         assert_eq!(found.iter().map(Vec::len).collect::<Vec<_>>(), [5, 4, 4]);
-        let at_one_velocity = |(range_m, db, _)| Member { radial_velocity_mps: -0.9, ..at(range_m, db) };
+        let at_one_velocity =
+            |(range_m, db, _)| ClusterPoint { radial_velocity_mps: -0.9, ..at(range_m, db) };
         assert_eq!(groups(QUEUE.map(at_one_velocity).to_vec()).len(), 1);
     }
 }

@@ -5,7 +5,7 @@
 //! summits, are clustered, as peaks of a map are. Each group, even of a single point, is an object at the
 //! power-weighted mean of its points.
 
-use crate::objects::cluster_member::Member;
+use crate::objects::cluster_point::ClusterPoint;
 use crate::objects::clusters::clusters;
 use crate::objects::points::extent;
 use crate::objects::velocity_steps::DopplerAxis;
@@ -21,10 +21,10 @@ pub fn objects_of_points(header: &CubeHeader, points: &mut [Point]) -> Vec<Objec
     points.sort_by(|a, b| b.snr_db.total_cmp(&a.snr_db));
     let span_mps = 2.0 * header.radar.velocity_max_mps();
     let axis = DopplerAxis { span_mps, cell_mps: header.radar.velocity_resolution_mps() };
-    let members: Vec<Member> = points.iter().map(|point| member(header, point, span_mps)).collect();
+    let members: Vec<ClusterPoint> = points.iter().map(|point| member(header, point, span_mps)).collect();
     let summits = summits(header, &members, axis);
     let own: Vec<usize> = (0..members.len()).filter(|index| summits[*index] == *index).collect();
-    let peaks: Vec<Member> = own.iter().map(|index| members[*index]).collect();
+    let peaks: Vec<ClusterPoint> = own.iter().map(|index| members[*index]).collect();
     let group_of = |peaks: Vec<usize>| -> Vec<usize> {
         let peaks: Vec<usize> = peaks.into_iter().map(|peak| own[peak]).collect();
         (0..members.len()).filter(|index| peaks.contains(&summits[*index])).collect()
@@ -45,10 +45,10 @@ const LOBE_CELLS: f64 = 2.0;
 
 /// Index of the summit of each member, strongest first: the member itself, or the summit of the strongest one
 /// within a main lobe of it in range and velocity and within the reach of a cluster across.
-fn summits(header: &CubeHeader, members: &[Member], axis: DopplerAxis) -> Vec<usize> {
+fn summits(header: &CubeHeader, members: &[ClusterPoint], axis: DopplerAxis) -> Vec<usize> {
     let lobe_m = LOBE_CELLS * header.radar.waveform.range_resolution_m();
     let lobe_mps = LOBE_CELLS * axis.cell_mps;
-    let is_on_slope = |weak: &Member, strong: &Member| {
+    let is_on_slope = |weak: &ClusterPoint, strong: &ClusterPoint| {
         let apart_mps = folded_mps(weak.radial_velocity_mps - strong.radial_velocity_mps, axis.span_mps);
         (weak.range_m - strong.range_m).abs() <= lobe_m
             && apart_mps.abs() <= lobe_mps
@@ -62,10 +62,10 @@ fn summits(header: &CubeHeader, members: &[Member], axis: DopplerAxis) -> Vec<us
     summits
 }
 
-fn member(header: &CubeHeader, point: &Point, span_mps: f64) -> Member {
+fn member(header: &CubeHeader, point: &Point, span_mps: f64) -> ClusterPoint {
     let [cross_m, _] = header.dsp.road.across_along_m(point.position_m);
     let away = DVec3::from(point.position_m) - DVec3::from(header.radar.position_m);
-    Member {
+    ClusterPoint {
         range_m: point.range_m,
         radial_velocity_mps: wrapped_mps(point.radial_velocity_mps, span_mps),
         cross_m,

@@ -5,23 +5,23 @@
 //! point-spread function; about 3 × 3 with Hann windows) are one measurement: its peak is interpolated
 //! between cells, the others lie at their cells' centres. Objects are formed from peaks alone.
 
-use crate::ambiguity::ambiguous_velocities::{ambiguity_mps, folds_are_told, no_other_is_driven};
-use crate::ambiguity::time_division_folds::{ChosenFold, Folds};
-use crate::detection::censored::unmasked;
+use crate::ambiguity::ambiguous_velocities::{ambiguity_mps, folds_are_observable, is_unambiguous};
+use crate::ambiguity::time_division_folds::{ChosenFold, FoldResiduals};
+use crate::detection::censored::recover_masked;
 use crate::detection::empty_band::fold_is_certain;
 use crate::detection::peaks::Peak;
 use crate::direction::angle::{Direction, Snapshot, VirtualArray};
-use crate::direction::directional_peaks::Beams;
+use crate::direction::directional_peaks::BeamformedMap;
 use crate::direction::multipath_ghost::{self, multipath_ghost};
 use crate::direction::point_sources::sources;
-use crate::direction::position::{Place, place};
+use crate::direction::position::{WorldPosition, world_position};
 use crate::error::DspError;
-use crate::estimation::isolation::{Neighbours, fits_alone};
+use crate::estimation::isolation::{Neighbours, single_echo_fits};
 use crate::estimation::point_echo::PointEcho;
 use crate::estimation::refinement::refined;
-use crate::objects::cluster_member::Member;
+use crate::objects::cluster_point::ClusterPoint;
 use crate::objects::clusters::clusters;
-use crate::objects::stationary::{Fold, is_at_rest};
+use crate::objects::stationary::{FoldCertainty, is_at_rest};
 use crate::objects::velocity_steps::DopplerAxis;
 use crate::plan::Plan;
 use crate::spectrum::axes::Axes;
@@ -41,7 +41,7 @@ use std::f64::consts::TAU;
 /// Only the map and its radar's settings are used. A vehicle is one object, whose points share its index; a
 /// detection without a detected neighbour, as produced by noise, is a point without object. Detected cells on
 /// sidelobes yield no points.
-pub(crate) fn located(
+pub(crate) fn locate_points(
     plan: &Plan,
     map: &RdmFrame,
     samples: Option<&[Complex32]>,
@@ -50,33 +50,35 @@ pub(crate) fn located(
     let (power, finder) = (levels.power(), &thresholds.finder);
     let noise = levels.noise() * array.division().map_channels as f64;
     let noise_threshold = thresholds.of_known_noise * noise;
-    let mask = unmasked(&thresholds.censoring, power, &map.mask, noise_threshold);
+    let mask = recover_masked(&thresholds.censoring, power, &map.mask, noise_threshold);
     let mut peaks = finder.peaks(power, &map.values, &mask, noise_threshold);
     let slopes = finder.slopes(power, &mask, &peaks);
-    peaks.extend(Beams { map, array, finder }.on_slopes(&slopes, &peaks));
-    let view = View { plan, axes: array.cells(), array, map, noise };
-    let mut sighted = view.in_one_fold(view.sight_all(&peaks), &peaks);
-    view.mark_ghosts(&mut sighted);
+    peaks.extend(BeamformedMap { map, array, finder }.on_slopes(&slopes, &peaks));
+    let context = FrameContext { plan, axes: array.cells(), array, map, noise };
+    let mut located_echoes = context.resolve_folds_by_object(context.locate_all(&peaks), &peaks);
+    context.mark_ghosts(&mut located_echoes);
     if let Some(samples) = samples {
-        refine_isolated(&view, samples, &peaks, &mut sighted);
+        refine_isolated(&context, samples, &peaks, &mut located_echoes);
     }
     // Nearer cells are not tested; if the range axis is a circle, their lobes reach past its other end.
-    sighted.retain(|s| s.range_m >= plan.settings.nearest_m);
+    located_echoes.retain(|s| s.range_m >= plan.settings.nearest_m);
     if plan.settings.static_echoes == StaticEchoes::Remove {
-        sighted.retain(|s| !view.is_at_rest(s));
+        located_echoes.retain(|s| !context.is_at_rest(s));
     }
-    let groups = view.groups(&sighted);
+    let groups = context.groups(&located_echoes);
     let on_slopes: Vec<Vec<Point>> = slopes
         .par_iter()
-        .map(|(cell, peak)| view.points(&sighted, &groups, (power[[cell[0], cell[1]]], *cell), &peaks[*peak]))
+        .map(|(cell, peak)| {
+            context.points(&located_echoes, &groups, (power[[cell[0], cell[1]]], *cell), &peaks[*peak])
+        })
         .collect();
     let mut points = on_slopes.concat();
     points.retain(|point| point.range_m >= plan.settings.nearest_m);
     let objects = groups.iter().enumerate().map(|(index, group)| {
-        let members: Vec<&Sighting> =
-            group.iter().map(|i| &sighted[*i]).filter(|s| s.peak.detected).collect();
+        let members: Vec<&LocatedEcho> =
+            group.iter().map(|i| &located_echoes[*i]).filter(|s| s.peak.detected).collect();
         let own: Vec<&Point> = points.iter().filter(|p| p.object == Some(index as u32)).collect();
-        view.object(&members, &own)
+        context.object(&members, &own)
     });
     let objects = objects.collect();
     Ok(PointsFrame { index: map.index, time_s: map.time_s, points: strongest_first(points), objects })
@@ -93,23 +95,23 @@ const LOBE_CELLS: usize = 2;
 
 /// An echo of a peak, or of a cell on its slope, with the result from its channels.
 #[derive(Clone)]
-struct Sighting {
+struct LocatedEcho {
     /// Peak of the echo, with its own power if the cell contains several echoes.
     peak: Peak,
     range_m: f64,
     radial_velocity_mps: f64,
     snapshot: Snapshot,
     direction: Direction,
-    place: Place,
-    /// Folds of the echo's cell, if time division resolves them.
-    folds: Option<Folds>,
+    position: WorldPosition,
+    /// Residuals of the folds of the echo's cell, if time division resolves them.
+    folds: Option<FoldResiduals>,
     /// Azimuths of the two bodies between which a peak's wave travelled, rad; `None` if it travelled to one
     /// and back.
     two_ways_rad: Option<[f64; 2]>,
 }
 
 /// Inputs of every step; `noise` is summed over channels.
-struct View<'a> {
+struct FrameContext<'a> {
     plan: &'a Plan,
     axes: &'a Axes,
     array: &'a VirtualArray,
@@ -117,70 +119,75 @@ struct View<'a> {
     noise: f64,
 }
 
-impl View<'_> {
+impl FrameContext<'_> {
     /// Tests every peak's channels for a wave with different directions of departure and arrival.
-    fn mark_ghosts(&self, sighted: &mut [Sighting]) {
+    fn mark_ghosts(&self, located_echoes: &mut [LocatedEcho]) {
         // Echoes of one cell share its channels, and the strongest comes first.
-        let mut of_cells: BTreeMap<[usize; 2], &Sighting> = BTreeMap::new();
-        for s in sighted.iter() {
+        let mut of_cells: BTreeMap<[usize; 2], &LocatedEcho> = BTreeMap::new();
+        for s in located_echoes.iter() {
             of_cells.entry(s.cell()).or_insert(s);
         }
         let found: BTreeMap<[usize; 2], Option<[f64; 2]>> =
             of_cells.into_par_iter().map(|(cell, s)| (cell, self.two_ways_rad(s))).collect();
-        sighted.iter_mut().for_each(|s| s.two_ways_rad = found.get(&s.cell()).copied().flatten());
+        located_echoes.iter_mut().for_each(|s| s.two_ways_rad = found.get(&s.cell()).copied().flatten());
     }
 
-    fn two_ways_rad(&self, s: &Sighting) -> Option<[f64; 2]> {
+    fn two_ways_rad(&self, s: &LocatedEcho) -> Option<[f64; 2]> {
         let found = multipath_ghost(self.array, &s.snapshot, s.range_m, s.direction, self.channel_noise());
-        let azimuth = |direction| place(self.array, direction, s.range_m).azimuth_rad;
+        let azimuth = |direction| world_position(self.array, direction, s.range_m).azimuth_rad;
         found.map(|two| two.directions.map(azimuth))
     }
 
     /// Azimuths of the two bodies for a cell on the slope of a peak, from its strongest echo: those of the
     /// peak if the echo is the peak's, seen in the same beam. Another echo may lie there without a peak of
     /// its own.
-    fn on_slope_of(&self, owner: &Sighting, strongest: &Sighting) -> Option<[f64; 2]> {
+    fn on_slope_of(&self, owner: &LocatedEcho, strongest: &LocatedEcho) -> Option<[f64; 2]> {
         let apart_beams = (owner.direction.right - strongest.direction.right).abs() / self.array.beams()[0];
         if apart_beams < 0.5 { owner.two_ways_rad } else { self.two_ways_rad(strongest) }
     }
 
     /// Echoes of all peaks, strongest first.
-    fn sight_all(&self, peaks: &[Peak]) -> Vec<Sighting> {
-        by_strength(peaks.par_iter().map(|peak| self.sight(*peak)).collect())
+    fn locate_all(&self, peaks: &[Peak]) -> Vec<LocatedEcho> {
+        by_strength(peaks.par_iter().map(|peak| self.locate(*peak)).collect())
     }
 
     /// Echoes of one cell, at least one, at the likeliest fold of its velocity.
-    fn sight(&self, peak: Peak) -> Vec<Sighting> {
+    fn locate(&self, peak: Peak) -> Vec<LocatedEcho> {
         let shown_mps = self.axes.wrapped(self.axes.velocity_at(peak.fine_row));
         let range_m = self.range_m(&peak, shown_mps);
         let cell = [peak.row, peak.column];
-        let of_cell = || Folds::of_cell(self.array, self.map, cell, (shown_mps, range_m));
-        let folds = folds_are_told(&self.plan.radar).then(of_cell);
+        let of_cell = || FoldResiduals::of_cell(self.array, self.map, cell, (shown_mps, range_m));
+        let folds = folds_are_observable(&self.plan.radar).then(of_cell);
         let velocity_mps = folds.as_ref().map_or(shown_mps, |folds| self.choice(folds).velocity_mps);
-        self.sight_at(peak, velocity_mps, folds)
+        self.locate_at_velocity(peak, velocity_mps, folds)
     }
 
     /// Echoes of one cell, at least one, at a known velocity.
-    fn sight_at(&self, peak: Peak, radial_velocity_mps: f64, folds: Option<Folds>) -> Vec<Sighting> {
+    fn locate_at_velocity(
+        &self,
+        peak: Peak,
+        radial_velocity_mps: f64,
+        folds: Option<FoldResiduals>,
+    ) -> Vec<LocatedEcho> {
         let range_m = self.range_m(&peak, radial_velocity_mps);
-        self.sight_there(peak, (range_m, radial_velocity_mps), folds)
+        self.locate_at(peak, (range_m, radial_velocity_mps), folds)
     }
 
     /// Echoes of one cell, at least one, at a known range and velocity.
-    fn sight_there(
+    fn locate_at(
         &self,
         peak: Peak,
         (range_m, radial_velocity_mps): (f64, f64),
-        folds: Option<Folds>,
-    ) -> Vec<Sighting> {
+        folds: Option<FoldResiduals>,
+    ) -> Vec<LocatedEcho> {
         let snapshot = self.array.snapshot(self.map, [peak.row, peak.column], radial_velocity_mps);
-        let echoes = self.directions(&snapshot, range_m).into_iter().map(|(direction, share)| Sighting {
+        let echoes = self.directions(&snapshot, range_m).into_iter().map(|(direction, share)| LocatedEcho {
             peak: Peak { power: share * peak.power, ..peak },
             range_m,
             radial_velocity_mps,
             snapshot: snapshot.clone(),
             direction,
-            place: place(self.array, direction, range_m),
+            position: world_position(self.array, direction, range_m),
             folds: folds.clone(),
             two_ways_rad: None,
         });
@@ -191,8 +198,8 @@ impl View<'_> {
         self.axes.range_of(peak.fine_column, velocity_mps)
     }
 
-    fn choice(&self, folds: &Folds) -> ChosenFold {
-        folds.choice(self.channel_noise())
+    fn choice(&self, folds: &FoldResiduals) -> ChosenFold {
+        folds.best_fold(self.channel_noise())
     }
 
     /// Noise power of one channel in a cell.
@@ -209,12 +216,12 @@ impl View<'_> {
     }
 
     /// Moves the peaks of each object to the one fold that explains all of them best.
-    fn in_one_fold(&self, sighted: Vec<Sighting>, peaks: &[Peak]) -> Vec<Sighting> {
-        let mut moved: BTreeMap<[usize; 2], (f64, Option<Folds>)> = BTreeMap::new();
-        for group in self.groups(&sighted) {
-            let members: Vec<&Sighting> = group.iter().map(|index| &sighted[*index]).collect();
-            let Some(choice) = joined(&members).map(|folds| self.choice(&folds)) else {
-                return sighted;
+    fn resolve_folds_by_object(&self, located_echoes: Vec<LocatedEcho>, peaks: &[Peak]) -> Vec<LocatedEcho> {
+        let mut moved: BTreeMap<[usize; 2], (f64, Option<FoldResiduals>)> = BTreeMap::new();
+        for group in self.groups(&located_echoes) {
+            let members: Vec<&LocatedEcho> = group.iter().map(|index| &located_echoes[*index]).collect();
+            let Some(choice) = merged_folds(&members).map(|folds| self.choice(&folds)) else {
+                return located_echoes;
             };
             for member in members {
                 let velocity_mps = self.axes.unwrapped(member.radial_velocity_mps, choice.velocity_mps);
@@ -222,31 +229,31 @@ impl View<'_> {
             }
         }
         let again = |peak: &Peak| match moved.get(&[peak.row, peak.column]) {
-            Some((velocity_mps, folds)) => self.sight_at(*peak, *velocity_mps, folds.clone()),
-            None => self.sight(*peak),
+            Some((velocity_mps, folds)) => self.locate_at_velocity(*peak, *velocity_mps, folds.clone()),
+            None => self.locate(*peak),
         };
         by_strength(peaks.par_iter().map(again).collect())
     }
 
     /// Indices of the peaks of each object, including those hidden from the detector.
-    fn groups(&self, sighted: &[Sighting]) -> Vec<Vec<usize>> {
-        let members: Vec<Member> = sighted.iter().map(|s| self.member(s)).collect();
+    fn groups(&self, located_echoes: &[LocatedEcho]) -> Vec<Vec<usize>> {
+        let members: Vec<ClusterPoint> = located_echoes.iter().map(|s| self.member(s)).collect();
         let axis =
             DopplerAxis { span_mps: 2.0 * self.axes.velocity_max_mps, cell_mps: self.axes.velocity_cell_mps };
         let mut groups = clusters(&members, &self.plan.settings, axis);
-        groups.retain(|group| is_supported(&self.plan.settings, sighted, group));
+        groups.retain(|group| is_supported(&self.plan.settings, located_echoes, group));
         groups
     }
 
-    fn member(&self, s: &Sighting) -> Member {
-        let [cross_m, _] = self.plan.settings.road.across_along_m(s.place.position_m.to_array());
-        Member {
+    fn member(&self, s: &LocatedEcho) -> ClusterPoint {
+        let [cross_m, _] = self.plan.settings.road.across_along_m(s.position.position_m.to_array());
+        ClusterPoint {
             range_m: s.range_m,
             radial_velocity_mps: s.radial_velocity_mps,
             cross_m,
             cross_error_m: s.range_m * self.cosine_error(s.peak.power),
             power: s.peak.power,
-            place_m: (s.place.position_m - self.array.position_m()).truncate(),
+            place_m: (s.position.position_m - self.array.position_m()).truncate(),
         }
     }
 
@@ -264,7 +271,7 @@ impl View<'_> {
     }
 
     /// Velocity of this map unfolded to be nearest to one with a resolved fold, else within the map's span.
-    fn unfolded(&self, velocity_mps: f64, near: &Sighting) -> f64 {
+    fn unfolded(&self, velocity_mps: f64, near: &LocatedEcho) -> f64 {
         match near.folds {
             Some(_) => self.axes.unwrapped(velocity_mps, near.radial_velocity_mps),
             None => self.axes.wrapped(velocity_mps),
@@ -287,17 +294,17 @@ impl View<'_> {
     /// Points of a detected cell with this power.
     fn points(
         &self,
-        sighted: &[Sighting],
+        located_echoes: &[LocatedEcho],
         groups: &[Vec<usize>],
         (power, cell): (f64, [usize; 2]),
         peak: &Peak,
     ) -> Vec<Point> {
         let object_of =
             |index: usize| groups.iter().position(|g| g.binary_search(&index).is_ok()).map(|o| o as u32);
-        let seen = self.on_slope(sighted, power, cell, [peak.row, peak.column]);
-        let point = |(sighting, index): (Sighting, usize)| Point {
-            stationary: self.stationary([&sighted[index]].into_iter()),
-            ..sighting.point(self.snr_db(sighting.peak.power), object_of(index))
+        let seen = self.on_slope(located_echoes, power, cell, [peak.row, peak.column]);
+        let point = |(echo, index): (LocatedEcho, usize)| Point {
+            stationary: self.stationary([&located_echoes[index]].into_iter()),
+            ..echo.point(self.snr_db(echo.peak.power), object_of(index))
         };
         seen.into_iter().map(point).collect()
     }
@@ -306,70 +313,78 @@ impl View<'_> {
     /// across.
     fn on_slope(
         &self,
-        sighted: &[Sighting],
+        located_echoes: &[LocatedEcho],
         power: f64,
         [row, column]: [usize; 2],
         peak: [usize; 2],
-    ) -> Vec<(Sighting, usize)> {
-        let of_cell = |cell: [usize; 2]| (0..sighted.len()).filter(move |i| sighted[*i].cell() == cell);
+    ) -> Vec<(LocatedEcho, usize)> {
+        let of_cell =
+            |cell: [usize; 2]| (0..located_echoes.len()).filter(move |i| located_echoes[*i].cell() == cell);
         if of_cell([row, column]).next().is_some() {
-            return of_cell([row, column]).map(|index| (sighted[index].clone(), index)).collect();
+            return of_cell([row, column]).map(|index| (located_echoes[index].clone(), index)).collect();
         }
-        let is_over = |s: &Sighting| s.is_over(self.axes.cells, [row, column], peak);
-        let own = || (0..sighted.len()).filter(|i| is_over(&sighted[*i]));
-        let across = |a: &Sighting, b: &Sighting| (a.direction.right - b.direction.right).abs();
+        let is_over = |s: &LocatedEcho| s.is_over(self.axes.cells, [row, column], peak);
+        let own = || (0..located_echoes.len()).filter(|i| is_over(&located_echoes[*i]));
+        let across = |a: &LocatedEcho, b: &LocatedEcho| (a.direction.right - b.direction.right).abs();
         let Some(owner) = of_cell(peak).next() else { return vec![] };
-        let velocity_mps = self.unfolded(self.axes.velocity_at(row as f64), &sighted[owner]);
+        let velocity_mps = self.unfolded(self.axes.velocity_at(row as f64), &located_echoes[owner]);
         // A lobe across the end of the range axis is one echo: its cells stay on the side of their peak.
         let shown_m = self.axes.range_of(column as f64, velocity_mps);
-        let owner_m = sighted[owner].range_m;
+        let owner_m = located_echoes[owner].range_m;
         let range_m = self.axes.between_ends(owner_m + self.axes.range_apart_m(shown_m, owner_m));
-        let mut echoes = self.sight_there(Peak::at_centre(row, column, power), (range_m, velocity_mps), None);
-        let two_ways_rad = echoes.first().and_then(|strongest| self.on_slope_of(&sighted[owner], strongest));
+        let mut echoes = self.locate_at(Peak::at_centre(row, column, power), (range_m, velocity_mps), None);
+        let two_ways_rad =
+            echoes.first().and_then(|strongest| self.on_slope_of(&located_echoes[owner], strongest));
         echoes.iter_mut().for_each(|echo| echo.two_ways_rad = two_ways_rad);
-        let nearest =
-            |s: &Sighting| own().min_by(|a, b| across(&sighted[*a], s).total_cmp(&across(&sighted[*b], s)));
+        let nearest = |s: &LocatedEcho| {
+            own().min_by(|a, b| across(&located_echoes[*a], s).total_cmp(&across(&located_echoes[*b], s)))
+        };
         echoes.into_iter().filter_map(|echo| nearest(&echo).map(|index| (echo, index))).collect()
     }
 }
 
 /// Combined folds of several cells of one body.
-fn joined(members: &[&Sighting]) -> Option<Folds> {
+fn merged_folds(members: &[&LocatedEcho]) -> Option<FoldResiduals> {
     let mut folds = members.iter().filter_map(|member| member.folds.as_ref());
     let mut all = folds.next()?.clone();
     folds.for_each(|more| all.join(more));
     Some(all)
 }
 
-fn by_strength(of_peaks: Vec<Vec<Sighting>>) -> Vec<Sighting> {
-    let mut sighted = of_peaks.concat();
-    sighted.sort_by(|a, b| b.peak.power.total_cmp(&a.peak.power));
-    sighted
+fn by_strength(of_peaks: Vec<Vec<LocatedEcho>>) -> Vec<LocatedEcho> {
+    let mut located_echoes = of_peaks.concat();
+    located_echoes.sort_by(|a, b| b.peak.power.total_cmp(&a.peak.power));
+    located_echoes
 }
 
 /// Replaces the estimates of detected isolated peaks by refined ones.
-fn refine_isolated(view: &View<'_>, samples: &[Complex32], peaks: &[Peak], sighted: &mut [Sighting]) {
-    let plan = view.plan;
-    let neighbours = Neighbours { plan, map: view.map, peaks, noise: view.noise };
-    let sample_noise = view.noise / (plan.thresholds.bandwidth_cells * view.map.values.len() as f64);
-    let cells: Vec<[usize; 2]> = sighted.iter().map(Sighting::cell).collect();
-    for sighting in sighted.iter_mut() {
-        let alone = cells.iter().filter(|other| **other == sighting.cell()).count() == 1;
-        let start = sighting.echo();
-        if !(alone && sighting.peak.detected && neighbours.leave_alone(&sighting.peak, start)) {
+fn refine_isolated(
+    context: &FrameContext<'_>,
+    samples: &[Complex32],
+    peaks: &[Peak],
+    located_echoes: &mut [LocatedEcho],
+) {
+    let plan = context.plan;
+    let neighbours = Neighbours { plan, map: context.map, peaks, noise: context.noise };
+    let sample_noise = context.noise / (plan.thresholds.bandwidth_cells * context.map.values.len() as f64);
+    let cells: Vec<[usize; 2]> = located_echoes.iter().map(LocatedEcho::cell).collect();
+    for echo in located_echoes.iter_mut() {
+        let alone = cells.iter().filter(|other| **other == echo.cell()).count() == 1;
+        let start = echo.point_echo();
+        if !(alone && echo.peak.detected && neighbours.bias_is_negligible(&echo.peak, start)) {
             continue;
         }
         let point = refined(plan, samples, start);
-        if let Some(point) = point.filter(|point| fits_alone(plan, samples, point, sample_noise)) {
-            sighting.range_m = view.axes.on_axis(point.range_m);
-            sighting.radial_velocity_mps = view.unfolded(point.radial_velocity_mps, sighting);
-            sighting.direction = point.direction;
-            sighting.place = place(view.array, point.direction, sighting.range_m);
+        if let Some(point) = point.filter(|point| single_echo_fits(plan, samples, point, sample_noise)) {
+            echo.range_m = context.axes.on_axis(point.range_m);
+            echo.radial_velocity_mps = context.unfolded(point.radial_velocity_mps, echo);
+            echo.direction = point.direction;
+            echo.position = world_position(context.array, point.direction, echo.range_m);
         }
     }
 }
 
-impl Sighting {
+impl LocatedEcho {
     fn cell(&self) -> [usize; 2] {
         [self.peak.row, self.peak.column]
     }
@@ -380,7 +395,7 @@ impl Sighting {
         self.cell() == summit || (self.peak.summit == summit && is_near)
     }
 
-    fn echo(&self) -> PointEcho {
+    fn point_echo(&self) -> PointEcho {
         PointEcho {
             range_m: self.range_m,
             radial_velocity_mps: self.radial_velocity_mps,
@@ -392,10 +407,10 @@ impl Sighting {
         Point {
             range_m: self.range_m,
             radial_velocity_mps: self.radial_velocity_mps,
-            azimuth_rad: self.place.azimuth_rad,
-            elevation_rad: self.place.elevation_rad,
-            height: self.place.height,
-            position_m: self.place.position_m.to_array(),
+            azimuth_rad: self.position.azimuth_rad,
+            elevation_rad: self.position.elevation_rad,
+            height: self.position.height,
+            position_m: self.position.position_m.to_array(),
             snr_db,
             two_ways_rad: self.two_ways_rad,
             stationary: None,
@@ -416,16 +431,16 @@ fn snr_db(power: f64, noise: f64) -> f64 {
 /// Whether a group is more than an isolated cell. A window spreads an echo over neighbours that are at most 8
 /// dB lower, while noise passes in single cells (at a rate of 1e-5, 0.3 per map): such a cell is a point, but
 /// not an object. Without a window an echo at a bin's centre is isolated too.
-fn is_supported(settings: &DspSettings, sighted: &[Sighting], group: &[usize]) -> bool {
+fn is_supported(settings: &DspSettings, located_echoes: &[LocatedEcho], group: &[usize]) -> bool {
     let spreads = |window: Window| window != Window::Rect;
     let lone_is_noise = spreads(settings.range_window) || spreads(settings.doppler_window);
-    let detected = group.iter().map(|i| &sighted[*i].peak).filter(|peak| peak.detected);
+    let detected = group.iter().map(|i| &located_echoes[*i].peak).filter(|peak| peak.detected);
     detected.map(|peak| peak.cells).sum::<u32>() > u32::from(lone_is_noise)
 }
 
-impl View<'_> {
+impl FrameContext<'_> {
     /// Object of detected peaks, strongest first, and of the points on their slopes.
-    fn object(&self, peaks: &[&Sighting], points: &[&Point]) -> Object {
+    fn object(&self, peaks: &[&LocatedEcho], points: &[&Point]) -> Object {
         let strongest = peaks[0];
         let near_strongest =
             |velocity_mps: f64| self.axes.unwrapped(velocity_mps, strongest.radial_velocity_mps);
@@ -433,20 +448,20 @@ impl View<'_> {
         let range_m = weighted_mean(peaks.iter().map(|s| s.range_m), &weights);
         let velocity_mps =
             weighted_mean(peaks.iter().map(|s| near_strongest(s.radial_velocity_mps)), &weights);
-        let place = place(self.array, self.direction(peaks, &weights, range_m), range_m);
+        let position = world_position(self.array, self.direction(peaks, &weights, range_m), range_m);
         Object {
             range_m,
             radial_velocity_mps: self.unfolded(velocity_mps, strongest),
             velocity_resolved: self.is_resolved(peaks),
-            azimuth_rad: place.azimuth_rad,
-            height: place.height,
-            position_m: place.position_m.to_array(),
-            lane: self.plan.lanes.at(place.position_m.to_array()),
+            azimuth_rad: position.azimuth_rad,
+            height: position.height,
+            position_m: position.position_m.to_array(),
+            lane: self.plan.lanes.at(position.position_m.to_array()),
             snr_db: self.snr_db(strongest.peak.power),
             points: points.len() as u32,
             range_extent_m: extent(points.iter().map(|p| p.range_m)),
             velocity_extent_mps: extent(points.iter().map(|p| near_strongest(p.radial_velocity_mps))),
-            ghost_share: multipath_ghost::can_tell(self.array).then(|| {
+            ghost_share: multipath_ghost::is_detectable(self.array).then(|| {
                 weighted_mean(peaks.iter().map(|s| f64::from(u8::from(s.two_ways_rad.is_some()))), &weights)
             }),
             stationary: self.stationary(peaks.iter().copied()),
@@ -455,32 +470,32 @@ impl View<'_> {
 
     /// Whether the fold of a body's velocity is beyond doubt; the strongest of its peaks comes first. The
     /// empty band of Doppler division resolves the band, but not velocities a whole span away.
-    fn is_resolved(&self, peaks: &[&Sighting]) -> bool {
-        match joined(peaks) {
+    fn is_resolved(&self, peaks: &[&LocatedEcho]) -> bool {
+        match merged_folds(peaks) {
             Some(folds) => self.choice(&folds).is_certain,
             None => {
                 let size = [self.axes.rows, self.axes.columns];
                 let velocity_mps = self.axes.wrapped(peaks[0].radial_velocity_mps);
                 fold_is_certain(self.array.division(), self.map, size, peaks[0].cell())
-                    && no_other_is_driven(velocity_mps, ambiguity_mps(&self.plan.radar))
+                    && is_unambiguous(velocity_mps, ambiguity_mps(&self.plan.radar))
             }
         }
     }
 
     /// Whether all peaks are at rest, if requested.
-    fn stationary<'s>(&self, mut peaks: impl Iterator<Item = &'s Sighting>) -> Option<bool> {
+    fn stationary<'s>(&self, mut peaks: impl Iterator<Item = &'s LocatedEcho>) -> Option<bool> {
         (self.plan.settings.static_echoes != StaticEchoes::Keep)
             .then(|| peaks.all(|peak| self.is_at_rest(peak)))
     }
 
-    fn is_at_rest(&self, s: &Sighting) -> bool {
-        let fold = if self.is_resolved(&[s]) { Fold::Told } else { Fold::Assumed };
+    fn is_at_rest(&self, s: &LocatedEcho) -> bool {
+        let fold = if self.is_resolved(&[s]) { FoldCertainty::Resolved } else { FoldCertainty::Assumed };
         is_at_rest(&self.plan.radar, s.radial_velocity_mps, fold, self.over_noise(s.peak.power))
     }
 
     /// Common direction of all peaks: the strongest beam of their cells, or the mean of the echoes resolved
     /// in them.
-    fn direction(&self, peaks: &[&Sighting], weights: &[f64], range_m: f64) -> Direction {
+    fn direction(&self, peaks: &[&LocatedEcho], weights: &[f64], range_m: f64) -> Direction {
         match (peaks, self.plan.settings.angle) {
             ([lone], _) => lone.direction,
             (_, Angle::Fft) => {
@@ -496,7 +511,7 @@ impl View<'_> {
 }
 
 /// Elevation of the strongest echo, if the array measures it.
-fn strongest_up(peaks: &[&Sighting]) -> Option<f64> {
+fn strongest_up(peaks: &[&LocatedEcho]) -> Option<f64> {
     peaks.first().and_then(|s| s.direction.up)
 }
 

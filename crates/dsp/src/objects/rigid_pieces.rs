@@ -11,7 +11,7 @@
 //! evidence then is that this velocity points from one to the other: two parts of a side line up along it,
 //! and its component across the line of sight exceeds its error.
 
-use crate::objects::cluster_member::Member;
+use crate::objects::cluster_point::ClusterPoint;
 use artifact::settings::DspSettings;
 use glam::{DMat2, DVec2};
 use radar::doppler_ambiguity::wrapped_mps;
@@ -24,7 +24,7 @@ pub(crate) const VELOCITY_ERROR_MPS: f64 = 0.15;
 /// Maximum rms misfit of the points of one body to its motion, relative to the velocity reach.
 const MISFIT: f64 = 0.35;
 /// Standard errors to which a group must predict another's velocities, and the maximum of these errors, m/s.
-const FORETOLD: (f64, f64) = (2.5, 0.5);
+const PREDICTION_LIMITS: (f64, f64) = (2.5, 0.5);
 /// Maximum length of vehicles on roads without special permit, an articulated bus or a lorry and trailer, m.
 const LONGEST_M: f64 = 18.75;
 /// Width of the strip that contains the echoes of one side, relative to the reach across: 1.5 m, like pieces
@@ -37,8 +37,8 @@ const LANE_M: f64 = 3.25;
 const STRIP_MARGIN_M: f64 = 1.0;
 
 /// Whether `b` continues `a`, at most `reach_m` from it along their velocity.
-pub(crate) fn drive_as_one(
-    members: &[Member],
+pub(crate) fn is_one_rigid_body(
+    members: &[ClusterPoint],
     settings: &DspSettings,
     velocity_span_mps: f64,
     groups: [&[usize]; 2],
@@ -62,7 +62,7 @@ pub(crate) fn drive_as_one(
     let [of_a, of_b] = [&a, &b].map(|part| extent(part, |place_m| along.dot(place_m)));
     let gap_m = (of_b[0] - of_a[1]).max(of_a[0] - of_b[1]);
     let continues =
-        gap_m <= reach_m && width_m <= settings.cluster_cross_m + STRIP_MARGIN_M && foretells(&a, &b);
+        gap_m <= reach_m && width_m <= settings.cluster_cross_m + STRIP_MARGIN_M && predicts(&a, &b);
     let adjoins = width_m <= settings.cluster_cross_m
         && nearest_m(&a, &b) <= settings.cluster_range_m
         && drives_across(&all, fit.velocity_mps);
@@ -82,7 +82,7 @@ struct PlacedEcho {
 }
 
 impl PlacedEcho {
-    fn of(member: &Member, near_mps: f64, velocity_span_mps: f64) -> Self {
+    fn of(member: &ClusterPoint, near_mps: f64, velocity_span_mps: f64) -> Self {
         let velocity_mps = near_mps + wrapped_mps(member.radial_velocity_mps - near_mps, velocity_span_mps);
         Self { place_m: member.place_m, sight: member.place_m.normalize_or_zero(), velocity_mps }
     }
@@ -117,24 +117,24 @@ impl VelocityFit {
     fn is_known_to_cross(&self, echoes: &[PlacedEcho]) -> bool {
         let across = mean_sight(echoes).perp();
         let error_mps = VELOCITY_ERROR_MPS * across.dot(self.covariance * across).sqrt();
-        self.velocity_mps.dot(across).abs() >= FORETOLD.0 * error_mps
+        self.velocity_mps.dot(across).abs() >= PREDICTION_LIMITS.0 * error_mps
     }
 
-    fn foretells(&self, echo: &PlacedEcho) -> bool {
+    fn predicts(&self, echo: &PlacedEcho) -> bool {
         let error_mps = VELOCITY_ERROR_MPS * (1.0 + echo.sight.dot(self.covariance * echo.sight)).sqrt();
         let off_mps = (echo.velocity_mps - self.velocity_mps.dot(echo.sight)).abs();
-        error_mps <= FORETOLD.1 && off_mps <= FORETOLD.0 * error_mps
+        error_mps <= PREDICTION_LIMITS.1 && off_mps <= PREDICTION_LIMITS.0 * error_mps
     }
 }
 
 /// Whether the part with the better known motion predicts the velocities of the other.
-fn foretells(a: &[PlacedEcho], b: &[PlacedEcho]) -> bool {
+fn predicts(a: &[PlacedEcho], b: &[PlacedEcho]) -> bool {
     let known = |part: &[PlacedEcho]| (part.len() > 1).then(|| VelocityFit::of(part));
     let trace = |fit: &VelocityFit| fit.covariance.x_axis.x + fit.covariance.y_axis.y;
     match (known(a), known(b)) {
-        (Some(of_a), Some(of_b)) if trace(&of_b) < trace(&of_a) => a.iter().all(|echo| of_b.foretells(echo)),
-        (Some(of_a), _) => b.iter().all(|echo| of_a.foretells(echo)),
-        (None, Some(of_b)) => a.iter().all(|echo| of_b.foretells(echo)),
+        (Some(of_a), Some(of_b)) if trace(&of_b) < trace(&of_a) => a.iter().all(|echo| of_b.predicts(echo)),
+        (Some(of_a), _) => b.iter().all(|echo| of_a.predicts(echo)),
+        (None, Some(of_b)) => a.iter().all(|echo| of_b.predicts(echo)),
         (None, None) => false,
     }
 }
@@ -170,9 +170,9 @@ mod tests {
 
     const SPAN_MPS: f64 = 35.0;
 
-    fn member(x_m: f64, y_m: f64, velocity_mps: DVec2) -> Member {
+    fn member(x_m: f64, y_m: f64, velocity_mps: DVec2) -> ClusterPoint {
         let place_m = DVec2::new(x_m, y_m);
-        Member {
+        ClusterPoint {
             range_m: place_m.length(),
             radial_velocity_mps: velocity_mps.dot(place_m.normalize_or_zero()),
             cross_m: x_m,
@@ -182,8 +182,8 @@ mod tests {
         }
     }
 
-    fn are_one(members: &[Member], groups: [&[usize]; 2]) -> bool {
-        drive_as_one(members, &paper::processing(), SPAN_MPS, groups, 4.4)
+    fn are_one(members: &[ClusterPoint], groups: [&[usize]; 2]) -> bool {
+        is_one_rigid_body(members, &paper::processing(), SPAN_MPS, groups, 4.4)
     }
 
     #[test]
@@ -210,8 +210,10 @@ mod tests {
     #[test]
     fn parts_line_up_no_farther_than_the_reach_that_a_scene_asks_for() {
         let [recedes, comes] = [0.586, -0.469];
-        let person =
-            |x_m, y_m, radial_velocity_mps| Member { radial_velocity_mps, ..member(x_m, y_m, DVec2::ZERO) };
+        let person = |x_m, y_m, radial_velocity_mps| ClusterPoint {
+            radial_velocity_mps,
+            ..member(x_m, y_m, DVec2::ZERO)
+        };
         let pair = [person(-0.34, 2.92, recedes), person(0.82, 2.88, comes)];
         let people = DspSettings {
             cluster_range_m: 0.6,
@@ -219,7 +221,7 @@ mod tests {
             cluster_velocity_mps: 1.0,
             ..paper::processing()
         };
-        let within = |reach_m| drive_as_one(&pair, &people, SPAN_MPS, [&[0], &[1]], reach_m);
+        let within = |reach_m| is_one_rigid_body(&pair, &people, SPAN_MPS, [&[0], &[1]], reach_m);
         assert!(within(4.4) && !within(1.75 * people.cluster_range_m));
     }
 

@@ -8,14 +8,14 @@
 //! motion across the line of sight.
 
 use artifact::Radar;
-use radar::doppler_ambiguity::shown_mps;
+use radar::doppler_ambiguity::apparent_velocity_mps;
 use std::f64::consts::TAU;
 
 /// Certainty of the fold, the multiple of the map's span.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Fold {
+pub enum FoldCertainty {
     /// The fold is resolved beyond doubt.
-    Told,
+    Resolved,
     /// Other folds are possible.
     Assumed,
 }
@@ -28,10 +28,10 @@ const OVER_BOUND: f64 = 2.0;
 
 /// Whether an echo with this velocity is at rest; `over_noise` is the power ratio of its cell, summed over
 /// channels.
-pub fn is_at_rest(radar: &Radar, velocity_mps: f64, fold: Fold, over_noise: f64) -> bool {
+pub fn is_at_rest(radar: &Radar, velocity_mps: f64, fold: FoldCertainty, over_noise: f64) -> bool {
     let shown_mps = match fold {
-        Fold::Told => velocity_mps,
-        Fold::Assumed => shown_mps(radar, velocity_mps),
+        FoldCertainty::Resolved => velocity_mps,
+        FoldCertainty::Assumed => apparent_velocity_mps(radar, velocity_mps),
     };
     shown_mps.abs() <= tolerance_mps(radar, over_noise)
 }

@@ -7,7 +7,7 @@
 //! a different velocity at every echo; the caller must check whether one motion explains both sides
 //! (`rigid_pieces.rs`).
 
-use crate::objects::cluster_member::Member;
+use crate::objects::cluster_point::ClusterPoint;
 use crate::objects::rigid_pieces::VELOCITY_ERROR_MPS;
 use radar::doppler_ambiguity::wrapped_mps;
 
@@ -29,7 +29,7 @@ const FEWEST: usize = 2;
 const ERRORS: f64 = 2.5;
 
 /// Range of the first echo behind the largest step of a group; `None` if there is no step.
-pub(crate) fn range_of_step(members: &[Member], axis: DopplerAxis, group: &[usize]) -> Option<f64> {
+pub(crate) fn range_of_step(members: &[ClusterPoint], axis: DopplerAxis, group: &[usize]) -> Option<f64> {
     let chain = Chain::of(members, axis, group);
     if !chain.may_step(axis) {
         return None;
@@ -44,7 +44,7 @@ pub(crate) fn range_of_step(members: &[Member], axis: DopplerAxis, group: &[usiz
 }
 
 /// Whether the velocity steps between two groups, the second of which lies behind the first.
-pub(crate) fn steps_between(members: &[Member], axis: DopplerAxis, groups: [&[usize]; 2]) -> bool {
+pub(crate) fn steps_between(members: &[ClusterPoint], axis: DopplerAxis, groups: [&[usize]; 2]) -> bool {
     let strongest_mps = members[groups[0][0]].radial_velocity_mps;
     let mut chains = groups.map(|group| Chain::about(members, axis, group, strongest_mps));
     chains.sort_by(|a, b| a.echoes[0].range_m.total_cmp(&b.echoes[0].range_m));
@@ -65,11 +65,11 @@ struct RangedEcho {
 }
 
 impl Chain {
-    fn of(members: &[Member], axis: DopplerAxis, group: &[usize]) -> Self {
+    fn of(members: &[ClusterPoint], axis: DopplerAxis, group: &[usize]) -> Self {
         Self::about(members, axis, group, members[group[0]].radial_velocity_mps)
     }
 
-    fn about(members: &[Member], axis: DopplerAxis, group: &[usize], near_mps: f64) -> Self {
+    fn about(members: &[ClusterPoint], axis: DopplerAxis, group: &[usize], near_mps: f64) -> Self {
         let echo = |i: &usize| RangedEcho {
             range_m: members[*i].range_m,
             velocity_mps: wrapped_mps(members[*i].radial_velocity_mps - near_mps, axis.span_mps),
@@ -126,8 +126,8 @@ mod tests {
 
     const AXIS: DopplerAxis = DopplerAxis { span_mps: 20.0, cell_mps: 0.25 };
 
-    fn chain(velocities_mps: &[f64]) -> Vec<Member> {
-        let member = |(place, velocity_mps): (usize, &f64)| Member {
+    fn chain(velocities_mps: &[f64]) -> Vec<ClusterPoint> {
+        let member = |(place, velocity_mps): (usize, &f64)| ClusterPoint {
             range_m: 20.0 + place as f64,
             radial_velocity_mps: *velocity_mps,
             cross_m: 0.0,

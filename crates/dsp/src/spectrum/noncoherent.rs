@@ -14,23 +14,23 @@ pub(crate) const FLOOR_BELOW_PEAK_DB: f64 = 60.0;
 
 /// Noncoherent sum Σ |value|² over channels, `[doppler, range]`.
 pub fn power_map(header: &CubeHeader, map: &RdmFrame) -> Result<Array2<f64>, DspError> {
-    Levels::of(&Shapes::of(header)?, map).map(|levels| levels.power)
+    PowerLevels::of(&Shapes::of(header)?, map).map(|levels| levels.power)
 }
 
 /// Mean noise power of one cell of one channel: the assumed floor of a noise-free map, else from the map's
 /// median.
 pub fn noise_power(header: &CubeHeader, map: &RdmFrame) -> Result<f64, DspError> {
-    Levels::of(&Shapes::of(header)?, map).map(|levels| levels.noise())
+    PowerLevels::of(&Shapes::of(header)?, map).map(|levels| levels.noise())
 }
 
 /// Powers of a checked map.
-pub(crate) struct Levels {
+pub(crate) struct PowerLevels {
     power: Array2<f64>,
     channels: f64,
     assumed_floor: Option<f64>,
 }
 
-impl Levels {
+impl PowerLevels {
     /// Sums the powers of a map.
     ///
     /// # Errors

@@ -37,7 +37,7 @@ impl Body {
     }
 
     /// Turns towards the velocity, if there is any.
-    pub(super) fn turn(&mut self, state: &Estimate) {
+    pub(super) fn update_heading(&mut self, state: &Estimate) {
         let velocity = DVec2::new(state.mean.z, state.mean.w);
         let [xx, yy] = [state.covariance.col(2).z, state.covariance.col(3).w];
         if velocity.length() < SLOWEST_MPS.max(SURE * (xx + yy).max(0.0).sqrt()) {
@@ -51,7 +51,12 @@ impl Body {
     }
 
     /// Updates the extent with this frame's points; the outermost lie a cell beyond the body.
-    pub(super) fn see(&mut self, state: &Estimate, points: impl Iterator<Item = DVec2>, cell_m: f64) {
+    pub(super) fn update_extent(
+        &mut self,
+        state: &Estimate,
+        points: impl Iterator<Item = DVec2>,
+        cell_m: f64,
+    ) {
         let middle = DVec2::new(state.mean.x, state.mean.y);
         let along = points.map(|p| (p - middle).dot(self.forward()));
         let [back, front] = along.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| [a.min(v), b.max(v)]);
@@ -75,7 +80,7 @@ impl Body {
 
     /// Whether a position lies in the box, widened by `margin_m` on all sides; a box of which little was seen
     /// extends as far as the shortest car.
-    pub(super) fn holds(&self, state: &Estimate, place: DVec2, width_m: f64, margin_m: f64) -> bool {
+    pub(super) fn contains(&self, state: &Estimate, place: DVec2, width_m: f64, margin_m: f64) -> bool {
         let away = place - DVec2::new(state.mean.x, state.mean.y);
         let (along, across) = (away.dot(self.forward()), away.perp_dot(self.forward()));
         let unseen_m = 0.5 * (SHORTEST_M - (self.ends_m[1] - self.ends_m[0])).max(0.0);

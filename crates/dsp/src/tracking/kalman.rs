@@ -32,7 +32,7 @@ impl Innovation {
     }
 
     /// −2 ln of the measurement's density.
-    pub fn surprise(self) -> f64 {
+    pub fn neg2_log_likelihood(self) -> f64 {
         self.distance2() + (std::f64::consts::TAU * self.variance).ln()
     }
 }

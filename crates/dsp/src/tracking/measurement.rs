@@ -147,7 +147,7 @@ pub struct Update {
     /// Squared Mahalanobis distance.
     pub distance2: f64,
     /// −2 ln of the measurement's density.
-    pub surprise: f64,
+    pub neg2_log_likelihood: f64,
 }
 
 impl Measurement {
@@ -189,33 +189,33 @@ impl Measurement {
 
     /// Measured minus predicted radial velocity, on the velocity circle.
     pub fn rate_residual_mps(&self, state: &Estimate) -> f64 {
-        let apart_mps = self.radial_velocity_mps - Sight::of(self, state).rate_mps;
+        let apart_mps = self.radial_velocity_mps - PolarState::of(self, state).rate_mps;
         self.span_mps.map_or(apart_mps, |span| folded_mps(apart_mps, span))
     }
 
     /// Measured minus predicted azimuth.
     pub fn azimuth_residual_rad(&self, state: &Estimate) -> f64 {
-        turned(self.azimuth_rad - Sight::of(self, state).azimuth_rad)
+        turned(self.azimuth_rad - PolarState::of(self, state).azimuth_rad)
     }
 
     /// Extended Kalman filter update, each scalar linearised at the result of those before it.
     pub fn updated(&self, expected: &Estimate) -> Update {
-        let sight = Sight::of(self, expected);
+        let polar = PolarState::of(self, expected);
         let turns =
-            self.span_mps.map_or(0.0, |span| ((sight.rate_mps - self.radial_velocity_mps) / span).round());
+            self.span_mps.map_or(0.0, |span| ((polar.rate_mps - self.radial_velocity_mps) / span).round());
         let unfolded_mps = self.radial_velocity_mps + turns * self.span_mps.unwrap_or(0.0);
         let range_m = self.range_m - self.coupling_m_per_mps * (unfolded_mps - self.radial_velocity_mps);
-        let mut update = Update { estimate: *expected, distance2: 0.0, surprise: 0.0 };
-        update.take(sight.range_row(), range_m - sight.range_m, self.variance[0]);
+        let mut update = Update { estimate: *expected, distance2: 0.0, neg2_log_likelihood: 0.0 };
+        update.take(polar.range_row(), range_m - polar.range_m, self.variance[0]);
         if self.variance[1].is_finite() {
-            let sight = Sight::of(self, &update.estimate);
-            let variance = self.azimuth_variance_at(sight.azimuth_rad);
-            update.take(sight.azimuth_row(), turned(self.azimuth_rad - sight.azimuth_rad), variance);
+            let polar = PolarState::of(self, &update.estimate);
+            let variance = self.azimuth_variance_at(polar.azimuth_rad);
+            update.take(polar.azimuth_row(), turned(self.azimuth_rad - polar.azimuth_rad), variance);
         }
-        let sight = Sight::of(self, &update.estimate);
-        let variance = self.variance[2] + sight.bend_variance(&update.estimate);
-        update.take(sight.rate_row(&update.estimate), unfolded_mps - sight.rate_mps, variance);
-        sight.keep_bend(&mut update.estimate);
+        let polar = PolarState::of(self, &update.estimate);
+        let variance = self.variance[2] + polar.bend_variance(&update.estimate);
+        update.take(polar.rate_row(&update.estimate), unfolded_mps - polar.rate_mps, variance);
+        polar.keep_bend(&mut update.estimate);
         update
     }
 }
@@ -227,20 +227,20 @@ impl Update {
     fn take(&mut self, row: DVec4, residual: f64, variance: f64) {
         let innovation: Innovation = self.estimate.innovation(row, residual, variance);
         self.distance2 += innovation.distance2();
-        self.surprise += innovation.surprise();
+        self.neg2_log_likelihood += innovation.neg2_log_likelihood();
         self.estimate = self.estimate.updated(row, residual, variance);
     }
 }
 
 /// A state in the radar's coordinates.
-struct Sight {
+struct PolarState {
     away_m: DVec2,
     range_m: f64,
     azimuth_rad: f64,
     rate_mps: f64,
 }
 
-impl Sight {
+impl PolarState {
     fn of(measurement: &Measurement, state: &Estimate) -> Self {
         let mut away_m = DVec2::new(state.mean.x, state.mean.y) - measurement.site_m;
         if away_m.length() < MIN_GROUND_M {

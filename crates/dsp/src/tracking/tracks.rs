@@ -11,7 +11,7 @@
 //! ([`crate::tracking::velocity_bank`]) until the range determines which is true; a track states this.
 
 use crate::error::DspError;
-use crate::plan::told_lanes;
+use crate::plan::measurable_lanes;
 use crate::spectrum::shapes::Shapes;
 use crate::tracking::body::Body;
 use crate::tracking::kalman::Estimate;
@@ -46,21 +46,21 @@ pub struct Tracker {
     lanes: Lanes,
     /// Sites of the cycle's sub-frames.
     sites: Vec<Site>,
-    followed: Vec<Followed>,
+    tracks: Vec<ActiveTrack>,
     next_id: u32,
     last_time_s: Option<f64>,
 }
 
 /// A track with its filters and history.
 #[derive(Debug, Clone)]
-struct Followed {
+struct ActiveTrack {
     id: u32,
     age_frames: u32,
     seen_frames: u32,
     missed_frames: u32,
     unseen_s: f64,
     seen_s: f64,
-    is_believed: bool,
+    is_confirmed: bool,
     bank: VelocityBank,
     body: Body,
     objects: Vec<u32>,
@@ -75,9 +75,9 @@ impl Tracker {
         Ok(Self {
             header: header.clone(),
             settings,
-            lanes: told_lanes(header),
+            lanes: measurable_lanes(header),
             sites,
-            followed: vec![],
+            tracks: vec![],
             next_id: 0,
             last_time_s: None,
         })
@@ -94,13 +94,13 @@ impl Tracker {
             frame.objects.iter().map(|o| site.measurement(o, &self.settings)).collect();
         self.predict(interval_s);
         let mut owner = self.associate(&measurements);
-        self.claim_pieces(frame, &measurements, &mut owner);
+        self.associate_fragments(frame, &measurements, &mut owner);
         self.update(frame, &measurements, &owner);
-        self.give_birth(frame, &measurements, &mut owner);
-        self.age(interval_s, frame, &measurements);
-        self.join_doubles();
-        self.bury();
-        let tracks = self.followed.iter().map(|f| self.track(f)).collect();
+        self.initiate_tracks(frame, &measurements, &mut owner);
+        self.update_history(interval_s, frame, &measurements);
+        self.merge_duplicates();
+        self.delete_stale();
+        let tracks = self.tracks.iter().map(|f| self.track(f)).collect();
         Ok(TracksFrame { index: frame.index, time_s: frame.time_s, tracks })
     }
 
@@ -122,9 +122,9 @@ impl Tracker {
     }
 
     fn predict(&mut self, interval_s: f64) {
-        for followed in &mut self.followed {
-            followed.bank.predict(interval_s, self.settings.acceleration_density);
-            followed.objects.clear();
+        for active in &mut self.tracks {
+            active.bank.predict(interval_s, self.settings.acceleration_density);
+            active.objects.clear();
         }
     }
 
@@ -138,9 +138,9 @@ impl Tracker {
         let odds = settings.detection_probability
             / (1.0 - settings.detection_probability)
             / settings.new_object_density;
-        let costs = Array2::from_shape_fn((self.followed.len(), measurements.len()), |(track, object)| {
-            let suit = self.followed[track].bank.suit(&measurements[object]);
-            if suit.distance2 <= settings.gate_distance2 { suit.surprise } else { f64::INFINITY }
+        let costs = Array2::from_shape_fn((self.tracks.len(), measurements.len()), |(track, object)| {
+            let fit = self.tracks[track].bank.fit(&measurements[object]);
+            if fit.distance2 <= settings.gate_distance2 { fit.neg2_log_likelihood } else { f64::INFINITY }
         });
         let mut owner = vec![None; measurements.len()];
         for (track, object) in assignment(costs.view(), 2.0 * odds.ln()).into_iter().enumerate() {
@@ -152,15 +152,20 @@ impl Tracker {
     }
 
     /// Assigns remaining objects in the box of a confirmed track, moving as it does, to it as pieces.
-    fn claim_pieces(&self, frame: &PointsFrame, measurements: &[Measurement], owner: &mut [Option<usize>]) {
-        let believed = || self.followed.iter().enumerate().filter(|(_, f)| f.is_believed);
+    fn associate_fragments(
+        &self,
+        frame: &PointsFrame,
+        measurements: &[Measurement],
+        owner: &mut [Option<usize>],
+    ) {
+        let confirmed = || self.tracks.iter().enumerate().filter(|(_, f)| f.is_confirmed);
         for (object, owner) in owner.iter_mut().enumerate().filter(|(_, o)| o.is_none()) {
             let place = on_road(&frame.objects[object]);
-            *owner = believed()
+            *owner = confirmed()
                 .find(|(_, f)| {
                     let moves_along = rate_apart_mps(f, &measurements[object]).abs() <= PIECE_MPS;
                     moves_along
-                        && f.body.holds(f.bank.best(), place, self.settings.body_width_m, PIECE_MARGIN_M)
+                        && f.body.contains(f.bank.best(), place, self.settings.body_width_m, PIECE_MARGIN_M)
                 })
                 .map(|(track, _)| track);
         }
@@ -169,39 +174,44 @@ impl Tracker {
     fn update(&mut self, frame: &PointsFrame, measurements: &[Measurement], owner: &[Option<usize>]) {
         for (object, owner) in owner.iter().enumerate() {
             let Some(track) = *owner else { continue };
-            let followed = &mut self.followed[track];
+            let active = &mut self.tracks[track];
             // Among several objects the filter uses the assigned one; if there is none, the strongest, which
             // comes first.
-            if followed.objects.is_empty() {
-                followed.bank.update(&measurements[object]);
+            if active.objects.is_empty() {
+                active.bank.update(&measurements[object]);
             }
-            followed.objects.push(object as u32);
+            active.objects.push(object as u32);
         }
         let range_cell_m = self.site().range_cell_m();
-        for followed in self.followed.iter_mut().filter(|f| !f.objects.is_empty()) {
-            followed.look(frame, range_cell_m);
+        for active in self.tracks.iter_mut().filter(|f| !f.objects.is_empty()) {
+            active.update_box(frame, range_cell_m);
         }
     }
 
-    fn give_birth(&mut self, frame: &PointsFrame, measurements: &[Measurement], owner: &mut [Option<usize>]) {
+    fn initiate_tracks(
+        &mut self,
+        frame: &PointsFrame,
+        measurements: &[Measurement],
+        owner: &mut [Option<usize>],
+    ) {
         for object in (0..measurements.len()).filter(|o| owner[*o].is_none()) {
             let bank = VelocityBank::new(&measurements[object], &self.settings);
             let body = Body::new(self.first_heading_rad(bank.best()));
-            let mut followed = Followed {
+            let mut active = ActiveTrack {
                 id: self.next_id,
                 age_frames: 0,
                 seen_frames: 0,
                 missed_frames: 0,
                 unseen_s: 0.0,
                 seen_s: 0.0,
-                is_believed: false,
+                is_confirmed: false,
                 bank,
                 body,
                 objects: vec![object as u32],
             };
-            followed.look(frame, self.site().range_cell_m());
+            active.update_box(frame, self.site().range_cell_m());
             self.next_id += 1;
-            self.followed.push(followed);
+            self.tracks.push(active);
         }
     }
 
@@ -212,52 +222,52 @@ impl Tracker {
         turned(if away_mps > 0.0 { away_rad } else { away_rad - PI })
     }
 
-    fn age(&mut self, interval_s: f64, frame: &PointsFrame, measurements: &[Measurement]) {
-        let covers = |f: &Followed| {
+    fn update_history(&mut self, interval_s: f64, frame: &PointsFrame, measurements: &[Measurement]) {
+        let covers = |f: &ActiveTrack| {
             (0..measurements.len()).any(|o| self.covers(&frame.objects[o], &measurements[o], f))
         };
-        let covered: Vec<bool> = self.followed.iter().map(|f| f.objects.is_empty() && covers(f)).collect();
-        for (followed, is_covered) in self.followed.iter_mut().zip(covered) {
-            followed.age_frames += 1;
-            if followed.objects.is_empty() {
-                followed.missed_frames += 1;
-                followed.unseen_s += interval_s * if is_covered { COVERED } else { 1.0 };
+        let covered: Vec<bool> = self.tracks.iter().map(|f| f.objects.is_empty() && covers(f)).collect();
+        for (active, is_covered) in self.tracks.iter_mut().zip(covered) {
+            active.age_frames += 1;
+            if active.objects.is_empty() {
+                active.missed_frames += 1;
+                active.unseen_s += interval_s * if is_covered { COVERED } else { 1.0 };
             } else {
-                (followed.missed_frames, followed.unseen_s) = (0, 0.0);
-                followed.seen_frames += 1;
-                followed.seen_s += interval_s;
-                followed.is_believed |= followed.seen_frames >= self.settings.confirmed_by;
+                (active.missed_frames, active.unseen_s) = (0, 0.0);
+                active.seen_frames += 1;
+                active.seen_s += interval_s;
+                active.is_confirmed |= active.seen_frames >= self.settings.confirmed_by;
             }
         }
     }
 
     /// Whether an object covers the range and velocity predicted for a track's own, in its direction: points
     /// that close across form one object in clustering.
-    fn covers(&self, object: &Object, measurement: &Measurement, followed: &Followed) -> bool {
-        let range_m = self.range_m(followed, measurement.up_m);
-        let across_m = measurement.azimuth_residual_rad(followed.bank.best()).sin().abs() * range_m;
+    fn covers(&self, object: &Object, measurement: &Measurement, active: &ActiveTrack) -> bool {
+        let range_m = self.range_m(active, measurement.up_m);
+        let across_m = measurement.azimuth_residual_rad(active.bank.best()).sin().abs() * range_m;
         if across_m > self.header.dsp.cluster_cross_m {
             return false;
         }
         let [near, far] = object.range_extent_m;
         let reach = near - self.site().range_cell_m()..=far + self.site().range_cell_m();
-        reach.contains(&range_m) && rate_apart_mps(followed, measurement).abs() <= PIECE_MPS
+        reach.contains(&range_m) && rate_apart_mps(active, measurement).abs() <= PIECE_MPS
     }
 
-    fn range_m(&self, followed: &Followed, up_m: f64) -> f64 {
-        let mean = followed.bank.best().mean;
+    fn range_m(&self, active: &ActiveTrack, up_m: f64) -> f64 {
+        let mean = active.bank.best().mean;
         (DVec2::new(mean.x, mean.y) - self.site().place_m()).length().hypot(up_m)
     }
 
     /// Merges a younger track in the box of an older confirmed one, at its velocity, into the older: both are
     /// the same body.
-    fn join_doubles(&mut self) {
-        let mut kept: Vec<Followed> = Vec::new();
-        for younger in std::mem::take(&mut self.followed) {
+    fn merge_duplicates(&mut self) {
+        let mut kept: Vec<ActiveTrack> = Vec::new();
+        for younger in std::mem::take(&mut self.tracks) {
             let state = younger.bank.best();
             let place = DVec2::new(state.mean.x, state.mean.y);
-            let older = kept.iter_mut().filter(|f| f.is_believed).find(|f| {
-                f.body.holds(f.bank.best(), place, self.settings.body_width_m, PIECE_MARGIN_M)
+            let older = kept.iter_mut().filter(|f| f.is_confirmed).find(|f| {
+                f.body.contains(f.bank.best(), place, self.settings.body_width_m, PIECE_MARGIN_M)
                     && moves_like(state, f.bank.best())
             });
             match older {
@@ -265,14 +275,14 @@ impl Tracker {
                 None => kept.push(younger),
             }
         }
-        self.followed = kept;
+        self.tracks = kept;
     }
 
-    fn bury(&mut self) {
+    fn delete_stale(&mut self) {
         let radar = &self.header.radar;
         let ahead = DVec2::from(horizontal(radar.boresight_az_rad));
         let (settings, place_m, far_m) = (self.settings, self.site().place_m(), radar.waveform.range_max_m());
-        self.followed.retain(|f| {
+        self.tracks.retain(|f| {
             let mean = f.bank.best().mean;
             let away_m = DVec2::new(mean.x, mean.y) - place_m;
             // No array sees behind itself.
@@ -280,42 +290,42 @@ impl Tracker {
             let [least_s, most_s] = settings.coast_s;
             let coast_s = (settings.coast_share * f.seen_s).clamp(least_s, most_s);
             let lives =
-                if f.is_believed { f.unseen_s < coast_s } else { f.age_frames < settings.confirmed_within };
+                if f.is_confirmed { f.unseen_s < coast_s } else { f.age_frames < settings.confirmed_within };
             mean.is_finite() && lives && (is_in_view || f.missed_frames == 0)
         });
     }
 
-    fn track(&self, followed: &Followed) -> Track {
-        let state = followed.bank.best();
-        let footprint = followed.body.footprint(state, self.settings.body_width_m, self.site().place_m());
+    fn track(&self, active: &ActiveTrack) -> Track {
+        let state = active.bank.best();
+        let footprint = active.body.footprint(state, self.settings.body_width_m, self.site().place_m());
         let [x_m, y_m] = footprint.centre_m;
         Track {
-            id: followed.id,
-            state: match (followed.is_believed, followed.objects.is_empty()) {
+            id: active.id,
+            state: match (active.is_confirmed, active.objects.is_empty()) {
                 (false, _) => TrackState::Tentative,
                 (true, false) => TrackState::Confirmed,
                 (true, true) => TrackState::Coasting,
             },
-            age_frames: followed.age_frames,
-            missed_frames: followed.missed_frames,
+            age_frames: active.age_frames,
+            missed_frames: active.missed_frames,
             position_m: [state.mean.x, state.mean.y],
             velocity_mps: [state.mean.z, state.mean.w],
-            covariance: followed.bank.covariance().transpose().to_cols_array_2d(),
-            velocity_resolved: followed.bank.is_resolved(),
+            covariance: active.bank.covariance().transpose().to_cols_array_2d(),
+            velocity_resolved: active.bank.is_resolved(),
             lane: self.lanes.at([x_m, y_m, 0.0]),
             footprint,
-            objects: followed.objects.clone(),
+            objects: active.objects.clone(),
         }
     }
 }
 
-impl Followed {
+impl ActiveTrack {
     /// Updates heading and extent of the box from the points of the track's objects.
-    fn look(&mut self, frame: &PointsFrame, cell_m: f64) {
+    fn update_box(&mut self, frame: &PointsFrame, cell_m: f64) {
         let state = *self.bank.best();
-        self.body.turn(&state);
+        self.body.update_heading(&state);
         let own = frame.points.iter().filter(|p| p.object.is_some_and(|o| self.objects.contains(&o)));
-        self.body.see(&state, own.map(|p| DVec2::new(p.position_m[0], p.position_m[1])), cell_m);
+        self.body.update_extent(&state, own.map(|p| DVec2::new(p.position_m[0], p.position_m[1])), cell_m);
     }
 }
 
@@ -330,8 +340,8 @@ fn moves_like(a: &Estimate, b: &Estimate) -> bool {
 }
 
 /// Measured minus predicted radial velocity, on the velocity circle.
-fn rate_apart_mps(followed: &Followed, measurement: &Measurement) -> f64 {
-    measurement.rate_residual_mps(followed.bank.best())
+fn rate_apart_mps(active: &ActiveTrack, measurement: &Measurement) -> f64 {
+    measurement.rate_residual_mps(active.bank.best())
 }
 
 fn on_road(object: &Object) -> DVec2 {

@@ -23,11 +23,11 @@ const LEAST_WEIGHT: f64 = 1e-3;
 
 /// Fit of a measurement to a bank.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Suit {
+pub(crate) struct MeasurementFit {
     /// Minimum squared Mahalanobis distance.
     pub(crate) distance2: f64,
     /// −2 ln of the measurement's density.
-    pub(crate) surprise: f64,
+    pub(crate) neg2_log_likelihood: f64,
 }
 
 impl VelocityBank {
@@ -75,26 +75,28 @@ impl VelocityBank {
     }
 
     /// Fit of a measurement to the bank: minimum distance, and the density over all filters.
-    pub(crate) fn suit(&self, measurement: &Measurement) -> Suit {
+    pub(crate) fn fit(&self, measurement: &Measurement) -> MeasurementFit {
         let updates = self.filters.iter().map(|(weight, state)| (weight, measurement.updated(state)));
         let (mut distance2, mut least) = (f64::INFINITY, f64::INFINITY);
-        let mut surprises = Vec::new();
+        let mut neg2_log_likelihoods = Vec::new();
         for (weight, update) in updates {
             distance2 = distance2.min(update.distance2);
-            surprises.push(update.surprise - 2.0 * weight.ln());
-            least = least.min(update.surprise - 2.0 * weight.ln());
+            neg2_log_likelihoods.push(update.neg2_log_likelihood - 2.0 * weight.ln());
+            least = least.min(update.neg2_log_likelihood - 2.0 * weight.ln());
         }
-        let sum: f64 = surprises.iter().map(|s| (0.5 * (least - s)).exp()).sum();
-        Suit { distance2, surprise: least - 2.0 * sum.ln() }
+        let sum: f64 = neg2_log_likelihoods.iter().map(|s| (0.5 * (least - s)).exp()).sum();
+        MeasurementFit { distance2, neg2_log_likelihood: least - 2.0 * sum.ln() }
     }
 
     /// Updates all filters by a measurement.
     pub(crate) fn update(&mut self, measurement: &Measurement) {
         let updates: Vec<_> =
             self.filters.iter().map(|(w, state)| (*w, measurement.updated(state))).collect();
-        let least = updates.iter().map(|(_, u)| u.surprise).fold(f64::INFINITY, f64::min);
-        self.filters =
-            updates.into_iter().map(|(w, u)| (w * (0.5 * (least - u.surprise)).exp(), u.estimate)).collect();
+        let least = updates.iter().map(|(_, u)| u.neg2_log_likelihood).fold(f64::INFINITY, f64::min);
+        self.filters = updates
+            .into_iter()
+            .map(|(w, u)| (w * (0.5 * (least - u.neg2_log_likelihood)).exp(), u.estimate))
+            .collect();
         self.weigh();
     }
 

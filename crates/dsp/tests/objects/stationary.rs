@@ -7,7 +7,7 @@ use artifact::points::{Object, PointsFrame};
 use artifact::radar::Multiplexing;
 use artifact::settings::StaticEchoes;
 use dsp::Receiver;
-use dsp::{Fold, is_at_rest, tolerance_mps};
+use dsp::{FoldCertainty, is_at_rest, tolerance_mps};
 
 /// A rail or a kerb: reflectors every 2 m beside the lanes, strong and weak, none of which moves.
 fn row_of_reflectors() -> Vec<Target> {
@@ -110,8 +110,8 @@ fn a_blind_speed_is_rest_unless_its_fold_is_told() {
     let mut header = asked(StaticEchoes::Mark);
     let span_mps = 2.0 * header.radar.velocity_max_mps();
     assert!(
-        is_at_rest(&header.radar, span_mps, Fold::Assumed, 1e6)
-            && !is_at_rest(&header.radar, span_mps, Fold::Told, 1e6)
+        is_at_rest(&header.radar, span_mps, FoldCertainty::Assumed, 1e6)
+            && !is_at_rest(&header.radar, span_mps, FoldCertainty::Resolved, 1e6)
     );
     // Time division tells the folds by the turns of its slots: λ/4T of three slots is 5.4 m/s.
     header.radar.array.multiplexing = Multiplexing::Tdm;

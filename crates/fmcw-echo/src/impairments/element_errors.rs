@@ -6,7 +6,7 @@ use artifact::Radar;
 use artifact::radar::{ElementError, ElementSpread};
 
 /// Radar with the errors drawn from its spread and a scene's seed listed; the same in all frames.
-pub fn drawn(radar: &Radar, seed: u64) -> Radar {
+pub fn with_drawn_errors(radar: &Radar, seed: u64) -> Radar {
     let mut drawn = radar.clone();
     let spread = std::mem::take(&mut drawn.hardware.spread);
     if spread != ElementSpread::default() {

@@ -41,7 +41,7 @@ pub fn row(radar: &Radar, time_s: f64, channel: usize, chirp: usize) -> Vec<Comp
     let element = receiver_factor(radar, channel % radar.array.rx_m.len());
     let receiver = Receiver { radar, axes: axes(radar), transmission, element, time_s };
     for interferer in &radar.hardware.interferers {
-        receiver.hear(interferer, &mut samples);
+        receiver.add_interferer(interferer, &mut samples);
     }
     samples
 }
@@ -76,7 +76,7 @@ struct Receiver<'a> {
 }
 
 impl Receiver<'_> {
-    fn hear(&self, interferer: &Interferer, samples: &mut [Complex64]) {
+    fn add_interferer(&self, interferer: &Interferer, samples: &mut [Complex64]) {
         let link = self.link_amplitude(interferer);
         let start_s = self.time_s + self.transmission.start_s;
         let duration_s = samples.len() as f64 / self.radar.waveform.sample_rate_hz;
@@ -86,27 +86,27 @@ impl Receiver<'_> {
         let first = begun(interferer, start_s - delay_s - interferer.sweep_s);
         let last = begun(interferer, start_s - delay_s + duration_s) + 1.0;
         if last - first > samples.len() as f64 {
-            return self.hear_each((interferer, link), samples);
+            return self.add_each_sample((interferer, link), samples);
         }
         let mut chirp = first;
         while chirp <= last {
             let since_s = self.since_s(interferer, chirp);
             for n in self.near_crossing(interferer, since_s, samples.len()) {
-                samples[n] += self.heard((interferer, link), since_s, n);
+                samples[n] += self.chirp_sample((interferer, link), since_s, n);
             }
             chirp += 1.0;
         }
     }
 
-    /// [`Self::hear`] for chirps so short that more of them than samples arrive within ours: each sample
-    /// receives at most one, whose number follows from its departure up to rounding.
-    fn hear_each(&self, (interferer, link): (&Interferer, f64), samples: &mut [Complex64]) {
+    /// [`Self::add_interferer`] for chirps so short that more of them than samples arrive within ours: each
+    /// sample receives at most one, whose number follows from its departure up to rounding.
+    fn add_each_sample(&self, (interferer, link): (&Interferer, f64), samples: &mut [Complex64]) {
         for (n, sample) in samples.iter_mut().enumerate() {
             let time_s = self.arrival_s(n);
             let delay_s = self.way_m(interferer, time_s).length() / SPEED_OF_LIGHT_MPS;
             let number = begun(interferer, time_s - delay_s);
             for chirp in [number - 1.0, number, number + 1.0] {
-                *sample += self.heard((interferer, link), self.since_s(interferer, chirp), n);
+                *sample += self.chirp_sample((interferer, link), self.since_s(interferer, chirp), n);
             }
         }
     }
@@ -129,7 +129,7 @@ impl Receiver<'_> {
     }
 
     /// Contribution of one chirp, which began `since_s` before our first sample, to sample `n`.
-    fn heard(&self, (interferer, link): (&Interferer, f64), since_s: f64, n: usize) -> Complex64 {
+    fn chirp_sample(&self, (interferer, link): (&Interferer, f64), since_s: f64, n: usize) -> Complex64 {
         let waveform = &self.radar.waveform;
         let t = n as f64 / waveform.sample_rate_hz;
         let way_m = self.way_m(interferer, self.arrival_s(n));

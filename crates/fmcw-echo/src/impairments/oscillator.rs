@@ -69,7 +69,7 @@ impl Oscillator {
     }
 
     /// Rotation e^{j[φ(T) − φ(T − τ)]} of an echo of delay τ received at T.
-    pub fn turn(&self, time_s: f64, delay_s: f64) -> Complex64 {
+    pub fn rotation(&self, time_s: f64, delay_s: f64) -> Complex64 {
         Complex64::cis(self.phase_rad(time_s) - self.phase_rad(time_s - delay_s))
     }
 

@@ -35,7 +35,7 @@ const PATCH_LIMIT: usize = 1 << 22;
 /// # Errors
 /// More patches than the limit of [`EchoError::GroundTooFine`].
 pub fn paths(radar: &Radar, backscatter: &Backscatter, seed: u64) -> Result<Vec<Path>, EchoError> {
-    let grid = Grid::of(radar);
+    let grid = GroundGrid::of(radar);
     if grid.patches() > PATCH_LIMIT {
         return Err(EchoError::GroundTooFine { patches: grid.patches(), limit: PATCH_LIMIT });
     }
@@ -46,11 +46,11 @@ pub fn paths(radar: &Radar, backscatter: &Backscatter, seed: u64) -> Result<Vec<
 
 /// Number of paths made by [`paths`].
 pub fn patches(radar: &Radar) -> usize {
-    Grid::of(radar).patches()
+    GroundGrid::of(radar).patches()
 }
 
 /// Rings of equal slant range and sectors of equal azimuth.
-struct Grid {
+struct GroundGrid {
     height_m: f64,
     rings: usize,
     ring_m: f64,
@@ -58,7 +58,7 @@ struct Grid {
     sector_rad: f64,
 }
 
-impl Grid {
+impl GroundGrid {
     fn of(radar: &Radar) -> Self {
         let height_m = radar.position_m[2];
         let deep_m = if height_m > 0.0 { (radar.waveform.range_max_m() - height_m).max(0.0) } else { 0.0 };
@@ -80,7 +80,7 @@ impl Grid {
     }
 
     fn ring(&self, radar: &Radar, ring: usize, amplitude_m: f64, seed: u64) -> Vec<Path> {
-        let mut draw = Draw(ChaCha8Rng::from_seed(seed::key(seed, "fmcw-echo/ground", &[ring as u64])));
+        let mut draw = RingRandom(ChaCha8Rng::from_seed(seed::key(seed, "fmcw-echo/ground", &[ring as u64])));
         let [x, y, _] = radar.position_m;
         let patch = |sector: usize| {
             let range_m = self.height_m + self.ring_m * (ring as f64 + draw.uniform());
@@ -106,9 +106,9 @@ fn virtual_row(radar: &Radar) -> f64 {
 }
 
 /// Random numbers for one ring.
-struct Draw(ChaCha8Rng);
+struct RingRandom(ChaCha8Rng);
 
-impl Draw {
+impl RingRandom {
     /// A uniform number in [0, 1) with 53 bits.
     fn uniform(&mut self) -> f64 {
         (self.0.next_u64() >> 11) as f64 * (0.5_f64).powi(53)

@@ -20,7 +20,7 @@ use glam::{DQuat, DVec3};
 use num_complex::Complex64;
 use radar::beat::if_cycles;
 use radar::link::link_amplitude;
-use radar::motion::whole_acceleration_mps2;
+use radar::motion::total_acceleration_mps2;
 use radar::standpoint::nearest_turn;
 use std::f64::consts::TAU;
 
@@ -61,11 +61,11 @@ impl<'a> TableSum<'a> {
 ///
 /// Linear interpolation errs with the square of the step: a third of the difference between an echo from the
 /// thinned and from the full table estimates the error of the latter.
-pub(crate) fn thin(frame: &RcsFrame) -> RcsFrame {
-    RcsFrame { tables: frame.tables.iter().map(thin_table).collect(), ..frame.clone() }
+pub(crate) fn decimate(frame: &RcsFrame) -> RcsFrame {
+    RcsFrame { tables: frame.tables.iter().map(decimate_table).collect(), ..frame.clone() }
 }
 
-fn thin_table(table: &RcsTable) -> RcsTable {
+fn decimate_table(table: &RcsTable) -> RcsTable {
     let kept = |axis: &[f64]| -> Vec<usize> {
         let last = axis.len().saturating_sub(1);
         (0..axis.len()).filter(|&i| axis.len() < 3 || i % 2 == 0 || i == last).collect()
@@ -125,7 +125,7 @@ impl<'a> Body<'a> {
             let frequency_hz = waveform.start_frequency_hz + waveform.slope_hz_per_s * (t - tau);
             let gain = link_amplitude(radar) * legs.gain(radar);
             let phasor = Complex64::cis(TAU * if_cycles(&radar.waveform, t, tau).fract());
-            let turn = sum.oscillator.map_or(Complex64::ONE, |oscillator| oscillator.turn(time_s, tau));
+            let turn = sum.oscillator.map_or(Complex64::ONE, |oscillator| oscillator.rotation(time_s, tau));
             *sample +=
                 transmission.turn * turn * gain * self.at_frequency(&response, frequency_hz)?.conj() * phasor;
         }
@@ -167,28 +167,28 @@ impl<'a> Body<'a> {
 
     /// Neighbours of `value` on an increasing axis. Up to one step beyond an end the last two values are
     /// extrapolated: a chirp starts μτ (3 MHz at 40 m) below f₀. An axis of one value holds for every value.
-    fn bracket(&self, axis: &'static str, values: &[f64], value: f64) -> Result<Bracket, EchoError> {
+    fn bracket(&self, axis: &'static str, values: &[f64], value: f64) -> Result<AxisInterval, EchoError> {
         let last = values.len() - 1;
         if last == 0 {
-            return Ok(Bracket { below: 0, above: 0, share: 0.0 });
+            return Ok(AxisInterval { below: 0, above: 0, share: 0.0 });
         }
         let below = values.partition_point(|&v| v <= value).clamp(1, last) - 1;
         let share = (value - values[below]) / (values[below + 1] - values[below]);
         if (-1.0..=2.0).contains(&share) {
-            return Ok(Bracket { below, above: below + 1, share });
+            return Ok(AxisInterval { below, above: below + 1, share });
         }
         Err(EchoError::OutsideTable { table: self.index, axis, value, first: values[0], last: values[last] })
     }
 }
 
 /// Two neighbours on an axis and the weight of the upper one.
-struct Bracket {
+struct AxisInterval {
     below: usize,
     above: usize,
     share: f64,
 }
 
-impl Bracket {
+impl AxisInterval {
     fn mix(&self, below: Complex64, above: Complex64) -> Complex64 {
         below + (above - below) * self.share
     }
@@ -201,7 +201,7 @@ fn turn_nearest_to(axis: &[f64], angle: f64) -> f64 {
 }
 
 fn origin_path(pose: &Pose) -> Path {
-    let acceleration_mps2 = whole_acceleration_mps2(pose);
+    let acceleration_mps2 = total_acceleration_mps2(pose);
     let curve = Curve {
         apparent_tx_mps2: acceleration_mps2,
         apparent_rx_mps2: acceleration_mps2,

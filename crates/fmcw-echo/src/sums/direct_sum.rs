@@ -17,9 +17,9 @@
 
 use crate::links::multiplexing::{Transmission, row};
 use crate::sums::chirp_segments::samples_per_segment;
-use crate::sums::lanes::{Complex, MAX_LANES, Real, Vector};
 use crate::sums::reference::if_sample;
-use crate::sums::spans::{Part, by_part};
+use crate::sums::simd_lanes::{Complex, MAX_LANES, Real, Vector};
+use crate::sums::spans::{FrameSpan, by_span};
 use artifact::Radar;
 use artifact::paths::Path;
 use artifact::radar::Pattern;
@@ -43,20 +43,21 @@ pub struct DirectSum<'a> {
     /// the formulas.
     on_rims: Vec<Path>,
     /// Paths that represent a part of the frame or of the array, with one sum for each part.
-    parts: Vec<(Part, Self)>,
+    parts: Vec<(FrameSpan, Self)>,
 }
 
 impl<'a> DirectSum<'a> {
     /// Sum over `paths`; `centre_frequency_hz` is f_c of the amplitudes. Paths without amplitude in the
     /// array's polarization are left out, so that they do not affect the result.
     pub fn new(radar: &'a Radar, centre_frequency_hz: f64, paths: &[Path]) -> Self {
-        let heard = paths.iter().filter(|path| is_heard(radar, path));
+        let heard = paths.iter().filter(|path| is_received(radar, path));
         let (on_rims, steady): (Vec<&Path>, Vec<&Path>) = heard.partition(|path| path.curve.rim.is_some());
         let (steady, spanning): (Vec<&Path>, Vec<&Path>) =
-            steady.into_iter().partition(|path| Part::of(path).is_whole());
-        let of_part =
-            |(part, paths): (Part, Vec<&Path>)| (part, Self::of_steady(radar, centre_frequency_hz, &paths));
-        let parts = by_part(spanning).into_iter().map(of_part).collect();
+            steady.into_iter().partition(|path| FrameSpan::of(path).is_whole());
+        let of_part = |(part, paths): (FrameSpan, Vec<&Path>)| {
+            (part, Self::of_steady(radar, centre_frequency_hz, &paths))
+        };
+        let parts = by_span(spanning).into_iter().map(of_part).collect();
         let on_rims = on_rims.into_iter().copied().collect();
         Self { on_rims, parts, ..Self::of_steady(radar, centre_frequency_hz, &steady) }
     }
@@ -114,7 +115,8 @@ impl<'a> DirectSum<'a> {
     pub(crate) fn values(&self, transmission: &Transmission, sample: f64, cycles: &[f64]) -> Vec<Complex64> {
         let mut padded = cycles.to_vec();
         padded.resize(self.columns.amplitude_m[0].len(), 0.0);
-        let mut values = Arch::new().dispatch(Moment { sum: self, transmission, sample, cycles: &padded });
+        let mut values =
+            Arch::new().dispatch(InstantSum { sum: self, transmission, sample, cycles: &padded });
         values.truncate(cycles.len());
         values
     }
@@ -180,7 +182,7 @@ fn accelerates(path: &Path) -> bool {
 }
 
 /// Whether a path has an amplitude in the array's polarization.
-pub(crate) fn is_heard(radar: &Radar, path: &Path) -> bool {
+pub(crate) fn is_received(radar: &Radar, path: &Path) -> bool {
     amplitude_and_slope(radar, path) != (Complex64::ZERO, Complex64::ZERO)
 }
 
@@ -223,14 +225,14 @@ impl WithSimd for RowSum<'_> {
 }
 
 /// All paths at one instant.
-struct Moment<'a> {
+struct InstantSum<'a> {
     sum: &'a DirectSum<'a>,
     transmission: &'a Transmission,
     sample: f64,
     cycles: &'a [f64],
 }
 
-impl WithSimd for Moment<'_> {
+impl WithSimd for InstantSum<'_> {
     type Output = Vec<Complex64>;
 
     #[inline(always)]

@@ -47,7 +47,7 @@ pub fn cube_sample(
             let value =
                 transmission.turn * if_sample(radar, centre_frequency_hz, path, &transmission, sample);
             let delay_s = || legs_at(path, &transmission, time_s).delay_s() + transmission.line_delay_s;
-            sum += oscillator.map_or(value, |oscillator| value * oscillator.turn(time_s, delay_s()));
+            sum += oscillator.map_or(value, |oscillator| value * oscillator.rotation(time_s, delay_s()));
         }
     }
     sum

@@ -7,12 +7,12 @@ use artifact::paths::{ArraySpan, Path, Span};
 
 /// Part of a frame and of the array represented by paths; `None` for all of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Part {
+pub(crate) struct FrameSpan {
     pub(crate) of_time: Option<Span>,
     pub(crate) of_array: Option<ArraySpan>,
 }
 
-impl Part {
+impl FrameSpan {
     pub(crate) fn of(path: &Path) -> Self {
         Self { of_time: path.curve.span, of_array: path.curve.array_span }
     }
@@ -53,8 +53,8 @@ impl Part {
 
 /// Paths grouped by the part that they represent, in their order within each; those that represent everything
 /// come first.
-pub(crate) fn by_part(mut paths: Vec<&Path>) -> Vec<(Part, Vec<&Path>)> {
-    paths.sort_by_key(|path| Part::of(path).key());
-    let groups = paths.chunk_by(|a, b| Part::of(a).key() == Part::of(b).key());
-    groups.map(|group| (Part::of(group[0]), group.to_vec())).collect()
+pub(crate) fn by_span(mut paths: Vec<&Path>) -> Vec<(FrameSpan, Vec<&Path>)> {
+    paths.sort_by_key(|path| FrameSpan::of(path).key());
+    let groups = paths.chunk_by(|a, b| FrameSpan::of(a).key() == FrameSpan::of(b).key());
+    groups.map(|group| (FrameSpan::of(group[0]), group.to_vec())).collect()
 }

@@ -29,9 +29,9 @@ pub fn cube(
 ) -> Vec<Complex64> {
     let [chirps, samples] = [radar.waveform.chirps as usize, radar.waveform.samples as usize];
     let mut cube = vec![Complex64::ZERO; radar.cube_channels() * chirps * samples];
-    let mut delayed: Vec<Delayed<'_>> = paths.iter().map(|path| Delayed::new(radar, path)).collect();
+    let mut delayed: Vec<DelayedPath<'_>> = paths.iter().map(|path| DelayedPath::new(radar, path)).collect();
     delayed.sort_by(|a, b| a.delay_s.total_cmp(&b.delay_s));
-    let sum = Sum { radar, centre_frequency_hz, oscillator, accuracy };
+    let sum = PhaseNoiseSum { radar, centre_frequency_hz, oscillator, accuracy };
     sum.add(&delayed, &mut cube);
     cube
 }
@@ -50,19 +50,19 @@ pub(crate) fn single_cube(
 
 /// A path and its delay for the array's first pair of elements at the frame's middle.
 #[derive(Clone, Copy)]
-struct Delayed<'p> {
+struct DelayedPath<'p> {
     path: &'p Path,
     delay_s: f64,
 }
 
-impl<'p> Delayed<'p> {
+impl<'p> DelayedPath<'p> {
     fn new(radar: &Radar, path: &'p Path) -> Self {
         let first = row(radar, 0, 0)[0];
         Self { path, delay_s: delay_s(path, &first, radar.frame_middle_s()) }
     }
 }
 
-struct Sum<'a> {
+struct PhaseNoiseSum<'a> {
     radar: &'a Radar,
     centre_frequency_hz: f64,
     oscillator: &'a Oscillator,
@@ -72,8 +72,8 @@ struct Sum<'a> {
 /// Maximum number of delays; more cost more sums than halving the paths does.
 const DELAYS_MAX: usize = 16;
 
-impl Sum<'_> {
-    fn add(&self, paths: &[Delayed<'_>], cube: &mut [Complex64]) {
+impl PhaseNoiseSum<'_> {
+    fn add(&self, paths: &[DelayedPath<'_>], cube: &mut [Complex64]) {
         let Some(middle) = paths.get(paths.len() / 2) else { return };
         if paths.len() == 1 {
             return self.add_exactly(middle.path, cube);
@@ -90,13 +90,13 @@ impl Sum<'_> {
         }
     }
 
-    fn delays(&self, paths: &[Delayed<'_>]) -> Option<Delays> {
-        Delays::of(&Probes::new(self.radar, self.oscillator), paths, 0.25 * self.accuracy.amplitude())
+    fn delays(&self, paths: &[DelayedPath<'_>]) -> Option<Delays> {
+        Delays::of(&ProbeTimes::new(self.radar, self.oscillator), paths, 0.25 * self.accuracy.amplitude())
     }
 
     /// Adds the contribution of one delay over all paths.
-    fn add_weighted(&self, paths: &[Delayed<'_>], delays: &Delays, k: usize, cube: &mut [Complex64]) {
-        let weighted = |delayed: &Delayed<'_>| {
+    fn add_weighted(&self, paths: &[DelayedPath<'_>], delays: &Delays, k: usize, cube: &mut [Complex64]) {
+        let weighted = |delayed: &DelayedPath<'_>| {
             let share = delays.shares(delayed.delay_s)[k];
             let scaled = |of: [[Complex64; 2]; 2]| of.map(|row| row.map(|value| share * value));
             let Path { amplitude_m, slope_m_per_hz, .. } = *delayed.path;
@@ -111,14 +111,15 @@ impl Sum<'_> {
         let [chirps, samples] = [self.radar.waveform.chirps as usize, self.radar.waveform.samples as usize];
         let rows = cube.par_chunks_mut(samples).zip(part.par_chunks(samples));
         rows.enumerate().for_each(|(r, (total, part))| {
-            let turns = self.turns(middle.path, later_s, &row(self.radar, r / chirps, r % chirps), samples);
+            let turns =
+                self.rotations(middle.path, later_s, &row(self.radar, r / chirps, r % chirps), samples);
             total.iter_mut().zip(part).zip(turns).for_each(|((sum, value), turn)| *sum += turn * value);
         });
     }
 
     /// Factors e^{j[φ(T) − φ(T − τ)]} of a chirp's samples, with τ the middle path's delay there plus
     /// `later_s`.
-    fn turns(&self, middle: &Path, later_s: f64, row: &[Transmission], samples: usize) -> Vec<Complex64> {
+    fn rotations(&self, middle: &Path, later_s: f64, row: &[Transmission], samples: usize) -> Vec<Complex64> {
         let transmission = &row[row.len() / 2];
         let start_s = transmission.start_s;
         let half_chirp_s = 0.5 * samples as f64 / self.radar.waveform.sample_rate_hz;
@@ -130,7 +131,7 @@ impl Sum<'_> {
 
     /// Whether no path's delay varies relative to the middle one's, over elements and time, by more than the
     /// oscillator tolerates.
-    fn move_alike(&self, paths: &[Delayed<'_>]) -> bool {
+    fn move_alike(&self, paths: &[DelayedPath<'_>]) -> bool {
         let allowed_s = 0.25 * self.accuracy.amplitude() / self.oscillator.rate_rms_rad_per_s();
         let middle = paths[paths.len() / 2];
         let [channels, chirps] = [self.radar.cube_channels(), self.radar.waveform.chirps as usize];
@@ -142,7 +143,7 @@ impl Sum<'_> {
         paths.par_iter().all(|delayed| {
             corners.iter().all(|transmission| {
                 let moved_s =
-                    |of: &Delayed<'_>| delay_s(of.path, transmission, transmission.start_s) - of.delay_s;
+                    |of: &DelayedPath<'_>| delay_s(of.path, transmission, transmission.start_s) - of.delay_s;
                 (moved_s(delayed) - moved_s(&middle)).abs() <= allowed_s
             })
         })
@@ -173,7 +174,7 @@ fn delay_s(path: &Path, transmission: &Transmission, time_s: f64) -> f64 {
 }
 
 /// Times of a frame at which an interpolation is tested.
-struct Probes<'a> {
+struct ProbeTimes<'a> {
     oscillator: &'a Oscillator,
     duration_s: f64,
 }
@@ -181,13 +182,13 @@ struct Probes<'a> {
 /// Number of probes: the root mean square over them is known to 1/√256.
 const PROBES: u32 = 128;
 
-impl<'a> Probes<'a> {
+impl<'a> ProbeTimes<'a> {
     fn new(radar: &Radar, oscillator: &'a Oscillator) -> Self {
         Self { oscillator, duration_s: radar.frame_duration_s() }
     }
 
     /// Factors e^{−jφ(T − τ)} at every probed time T.
-    fn turns(&self, delay_s: f64) -> Vec<Complex64> {
+    fn rotations(&self, delay_s: f64) -> Vec<Complex64> {
         // Golden-ratio points: evenly spread without a common period.
         let moment_s = |i: u32| (f64::from(i) * 0.618_033_988_749_895).fract() * self.duration_s;
         (0..PROBES).map(|i| Complex64::cis(-self.oscillator.phase_rad(moment_s(i) - delay_s))).collect()
@@ -200,22 +201,22 @@ struct Delays(Vec<f64>);
 impl Delays {
     /// Finds the smallest number of delays that leaves `error`, root mean square over the frame, at the worst
     /// delay between them; `None` if too many would be needed.
-    fn of(probes: &Probes<'_>, paths: &[Delayed<'_>], error: f64) -> Option<Self> {
+    fn of(probes: &ProbeTimes<'_>, paths: &[DelayedPath<'_>], error: f64) -> Option<Self> {
         let (first, last) = (paths.first()?.delay_s, paths.last()?.delay_s);
         let chebyshev = |count: usize| {
             let place = |k: usize| 0.5 * (1.0 - (PI * (k as f64 + 0.5) / count as f64).cos());
             Self((0..count).map(|k| first + place(k) * (last - first)).collect())
         };
-        (1..=DELAYS_MAX).map(chebyshev).find(|delays| delays.left(probes, first, last) <= error)
+        (1..=DELAYS_MAX).map(chebyshev).find(|delays| delays.residual_rms(probes, first, last) <= error)
     }
 
     /// Root mean square error at the worst of several test delays.
-    fn left(&self, probes: &Probes<'_>, first: f64, last: f64) -> f64 {
-        let known: Vec<Vec<Complex64>> = self.0.iter().map(|delay_s| probes.turns(*delay_s)).collect();
+    fn residual_rms(&self, probes: &ProbeTimes<'_>, first: f64, last: f64) -> f64 {
+        let known: Vec<Vec<Complex64>> = self.0.iter().map(|delay_s| probes.rotations(*delay_s)).collect();
         let between = 2 * self.0.len();
         let missed = |i: usize| {
             let delay_s = first + (last - first) * i as f64 / between as f64;
-            let (exact, shares) = (probes.turns(delay_s), self.shares(delay_s));
+            let (exact, shares) = (probes.rotations(delay_s), self.shares(delay_s));
             let square = |(moment, exact): (usize, &Complex64)| {
                 let told: Complex64 =
                     known.iter().zip(&shares).map(|(known, share)| known[moment] * share).sum();

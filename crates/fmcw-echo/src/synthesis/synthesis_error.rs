@@ -41,7 +41,7 @@ pub(crate) fn of_tables(
     samples: &[Complex32],
     oscillator: Option<&Oscillator>,
 ) -> Result<Option<f64>, EchoError> {
-    let thin = rcs_table::thin(frame);
+    let thin = rcs_table::decimate(frame);
     let thin = TableSum::new(radar, poses, &thin, oscillator)?;
     let compare = |at: [usize; 3]| Ok([thin.row(at[0], at[1])?[at[2]], stored(radar, samples, at)]);
     let pairs = places(radar, frame.index).into_iter().map(compare).collect::<Result<Vec<_>, EchoError>>()?;

@@ -9,7 +9,7 @@ use crate::impairments::noise;
 use crate::impairments::oscillator::{self, Oscillator};
 use crate::sources::rcs_table::{self, TableSum};
 use crate::sums::fast::fast_sum;
-use crate::synthesis::admission::{check_header, check_paths, check_samples};
+use crate::synthesis::input_checks::{check_header, check_paths, check_samples};
 use crate::synthesis::phase_noise;
 use crate::synthesis::synthesis_error;
 use artifact::cube::{CubeFrame, CubeHeader};
@@ -49,7 +49,8 @@ impl Synthesizer {
         accuracy: Accuracy,
         ground: Vec<Path>,
     ) -> Result<Self, EchoError> {
-        let drawn = CubeHeader { radar: element_errors::drawn(&header.radar, seed), ..header.clone() };
+        let drawn =
+            CubeHeader { radar: element_errors::with_drawn_errors(&header.radar, seed), ..header.clone() };
         let sub_frames = 0..header.radar.schedule.sub_frames();
         let headers: Vec<CubeHeader> = sub_frames.map(|index| drawn.in_frame(index)).collect();
         headers.iter().try_for_each(check_header)?;
@@ -142,7 +143,7 @@ impl Synthesizer {
         synthesis: Option<f64>,
     ) -> Result<CubeFrame, EchoError> {
         receive(self.header(index), self.seed, (index, time_s), &mut samples)?;
-        let error = error.joined(ErrorBudget { synthesis, ..ErrorBudget::default() });
+        let error = error.merged(ErrorBudget { synthesis, ..ErrorBudget::default() });
         Ok(CubeFrame { index, time_s, samples, error })
     }
 }
@@ -207,7 +208,7 @@ pub fn memory_estimate_bytes(header: &CubeHeader, accuracy: Accuracy) -> u64 {
     let [channels, chirps, length] = header.shape().map(|n| n as u64);
     let cube = channels * chirps * length * size_of::<Complex32>() as u64;
     let map = 2 * chirps * length * size_of::<Complex64>() as u64;
-    let row = length * (crate::sums::lanes::MAX_LANES as u64 + 1) * size_of::<Complex64>() as u64;
+    let row = length * (crate::sums::simd_lanes::MAX_LANES as u64 + 1) * size_of::<Complex64>() as u64;
     // With phase noise: a sum in double precision and a part of it.
     let sums = if header.radar.hardware.phase_noise.is_empty() { 0 } else { 4 * cube };
     let sum = fast_sum::memory_estimate_bytes(&header.radar, accuracy) + sums;

@@ -1,6 +1,6 @@
 //! Settings of commands: which form of chirp is sent, by whom, how often.
 
-use super::statements::{Chirps, Fault, Frame, Platform, Profile, Statement, Told};
+use super::statements::{Chirps, Fault, Frame, Platform, Profile, Setting, Statement};
 use crate::devices::{Board, IqOrder, Lanes};
 use artifact::radar::Sampling;
 
@@ -9,9 +9,9 @@ use artifact::radar::Sampling;
 pub struct DeviceSettings {
     /// Requested board, else the one of the chip that the file names.
     pub(super) board: Option<Board>,
-    pub(super) profile: InLine<Profile>,
-    pub(super) frame: InLine<Frame>,
-    pub(super) channels: InLine<Channels>,
+    pub(super) profile: FromCommand<Profile>,
+    pub(super) frame: FromCommand<Frame>,
+    pub(super) channels: FromCommand<Channels>,
     /// Transmitters by their numbers from 0, in the order of their chirps.
     pub(super) turns: Vec<usize>,
     /// Chirps of each transmitter in a frame.
@@ -22,7 +22,7 @@ pub struct DeviceSettings {
     /// Command that configures the converter; `None` if its bits are assumed.
     pub(super) converter: Option<&'static str>,
     /// Words between the samples of a recording.
-    stream: Option<InLine<&'static str>>,
+    stream: Option<FromCommand<&'static str>>,
     lanes: Option<Lanes>,
     /// First part of a complex sample; `None` if the file does not specify it.
     pub iq_order: Option<IqOrder>,
@@ -39,7 +39,7 @@ pub(super) struct Remark {
 
 /// A value with the command that set it.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct InLine<T> {
+pub(super) struct FromCommand<T> {
     pub(super) line: usize,
     pub(super) name: &'static str,
     pub(super) value: T,
@@ -85,14 +85,14 @@ impl DeviceSettings {
 
 /// Settings of these commands, by the last of each kind.
 pub(super) fn settings(statements: &[Statement], asked: Option<Board>) -> Result<DeviceSettings, Fault> {
-    let from = statements.iter().rposition(|s| s.told == Told::Flush).unwrap_or(0);
+    let from = statements.iter().rposition(|s| s.setting == Setting::Flush).unwrap_or(0);
     let program = Program(&statements[from..]);
-    let frame = program.last("frameCfg or FrameConfig", |told| match told {
-        Told::Frame(frame) => Some(*frame),
+    let frame = program.last("frameCfg or FrameConfig", |setting| match setting {
+        Setting::Frame(frame) => Some(*frame),
         _ => None,
     })?;
-    let channels = program.last("channelCfg, ChannelConfig or ChanNAdcConfig", |told| match told {
-        Told::Channels { transmitters, receivers } => {
+    let channels = program.last("channelCfg, ChannelConfig or ChanNAdcConfig", |setting| match setting {
+        Setting::Channels { transmitters, receivers } => {
             Some(Channels { transmitters: *transmitters, receivers: numbers(*receivers) })
         }
         _ => None,
@@ -104,21 +104,21 @@ pub(super) fn settings(statements: &[Statement], asked: Option<Board>) -> Result
         return Err(profile.fault("phases of several transmitters are not read: 0 alone"));
     }
     // Comments stand before the start that flushes the commands.
-    let platform = Program(statements).find(|told| match told {
-        Told::Platform(platform) => Some(platform.clone()),
+    let platform = Program(statements).find(|setting| match setting {
+        Setting::Platform(platform) => Some(platform.clone()),
         _ => None,
     });
-    let named = program.find(|told| if let Told::Board(board) = told { Some(*board) } else { None });
+    let named = program.find(|setting| if let Setting::Board(board) = setting { Some(*board) } else { None });
     let mut settings = DeviceSettings {
         board: asked.or(named.as_ref().map(|named| named.value)),
         remarks: named.and_then(|named| of_another_chip(&named, asked?)).into_iter().collect(),
         chirps: frame.value.loops * (frame.value.last + 1 - frame.value.first) / turns.len() as u32,
         turns,
         lanes: program
-            .find(|told| if let Told::Lanes(lanes) = told { Some(*lanes) } else { None })
+            .find(|setting| if let Setting::Lanes(lanes) = setting { Some(*lanes) } else { None })
             .map(|l| l.value),
         iq_order: program
-            .find(|told| if let Told::Order(order) = told { Some(*order) } else { None })
+            .find(|setting| if let Setting::Order(order) = setting { Some(*order) } else { None })
             .map(|o| o.value),
         profile,
         frame,
@@ -146,14 +146,14 @@ pub(super) fn sampling_word(sampling: Sampling) -> &'static str {
 }
 
 /// The remark that the requested board has another chip than the file names.
-fn of_another_chip(named: &InLine<Board>, asked: Board) -> Option<Remark> {
+fn of_another_chip(named: &FromCommand<Board>, asked: Board) -> Option<Remark> {
     let (name, chip, asked_name) = (named.name, named.value.name(), asked.name());
     let text = || format!("{name}: it names the chip of the {chip}; --device {asked_name} is taken");
     (named.value != asked).then(|| Remark { line: named.line, text: text() })
 }
 
 /// Refuses a board whose antennas are others than those of the board that is taken for it.
-fn check_platform(platform: &InLine<Platform>, board: Board) -> Result<(), Fault> {
+fn check_platform(platform: &FromCommand<Platform>, board: Board) -> Result<(), Fault> {
     if !platform.value.is_on_package {
         return Ok(());
     }
@@ -165,7 +165,7 @@ fn check_platform(platform: &InLine<Platform>, board: Board) -> Result<(), Fault
 }
 
 /// The remark that a board was asked for which is of another family than the one that a comment names.
-fn of_another_platform(platform: &InLine<Platform>, board: Board) -> Option<Remark> {
+fn of_another_platform(platform: &FromCommand<Platform>, board: Board) -> Option<Remark> {
     let (Platform { name, family, .. }, board) = (&platform.value, board.name());
     let is_of_it =
         family.is_empty() || board.trim_start_matches(|c: char| !c.is_ascii_digit()).starts_with(family);
@@ -183,51 +183,54 @@ struct Program<'a>(&'a [Statement]);
 
 impl Program<'_> {
     /// The last command with such a value.
-    fn find<T>(&self, told: impl Fn(&Told) -> Option<T>) -> Option<InLine<T>> {
-        let in_line = |s: &Statement| Some(InLine { line: s.line, name: s.name, value: told(&s.told)? });
+    fn find<T>(&self, setting: impl Fn(&Setting) -> Option<T>) -> Option<FromCommand<T>> {
+        let in_line =
+            |s: &Statement| Some(FromCommand { line: s.line, name: s.name, value: setting(&s.setting)? });
         self.0.iter().rev().find_map(in_line)
     }
 
-    fn last<T>(&self, names: &str, told: impl Fn(&Told) -> Option<T>) -> Result<InLine<T>, Fault> {
-        self.find(told).ok_or_else(|| Fault { line: None, rule: format!("there is no {names}") })
+    fn last<T>(&self, names: &str, setting: impl Fn(&Setting) -> Option<T>) -> Result<FromCommand<T>, Fault> {
+        self.find(setting).ok_or_else(|| Fault { line: None, rule: format!("there is no {names}") })
     }
 
     /// Words between the samples, if the last command about the stream adds some.
-    fn stream(&self) -> Option<InLine<&'static str>> {
-        let last = self.find(|told| if let Told::Stream(between) = told { Some(*between) } else { None })?;
-        last.value.map(|value| InLine { line: last.line, name: last.name, value })
+    fn stream(&self) -> Option<FromCommand<&'static str>> {
+        let last =
+            self.find(|setting| if let Setting::Stream(between) = setting { Some(*between) } else { None })?;
+        last.value.map(|value| FromCommand { line: last.line, name: last.name, value })
     }
 
     /// Bits and samples of the converter, with the command that sets them; refused if a buffer passes on
     /// other samples.
     fn converter(&self) -> Result<(Option<&'static str>, (u32, Sampling)), Fault> {
-        let told = self.find(|told| match told {
-            Told::Converter { bits, sampling } => Some((*bits, *sampling)),
+        let setting = self.find(|setting| match setting {
+            Setting::Converter { bits, sampling } => Some((*bits, *sampling)),
             _ => None,
         });
-        let buffer = self.find(|told| if let Told::Buffer(sampling) = told { Some(*sampling) } else { None });
-        match (&told, buffer) {
-            (Some(told), Some(buffer)) if told.value.1 != buffer.value => {
-                let [passed, made] = [buffer.value, told.value.1].map(sampling_word);
-                let InLine { line, name, .. } = told;
+        let buffer =
+            self.find(|setting| if let Setting::Buffer(sampling) = setting { Some(*sampling) } else { None });
+        match (&setting, buffer) {
+            (Some(setting), Some(buffer)) if setting.value.1 != buffer.value => {
+                let [passed, made] = [buffer.value, setting.value.1].map(sampling_word);
+                let FromCommand { line, name, .. } = setting;
                 Err(buffer.fault(format!("its samples are {passed}, those of {name} of line {line} {made}")))
             }
-            (Some(told), _) => Ok((Some(told.name), told.value)),
+            (Some(setting), _) => Ok((Some(setting.name), setting.value)),
             (None, buffer) => Ok((None, (16, buffer.map_or(Sampling::Complex, |buffer| buffer.value)))),
         }
     }
 
     /// Definition of a chirp by the last command for it.
-    fn chirp(&self, index: u32, frame: &InLine<Frame>) -> Result<InLine<Chirps>, Fault> {
-        let of_chirp = self.find(|told| match told {
-            Told::Chirps(chirps) if (chirps.first..=chirps.last).contains(&index) => Some(*chirps),
+    fn chirp(&self, index: u32, frame: &FromCommand<Frame>) -> Result<FromCommand<Chirps>, Fault> {
+        let of_chirp = self.find(|setting| match setting {
+            Setting::Chirps(chirps) if (chirps.first..=chirps.last).contains(&index) => Some(*chirps),
             _ => None,
         });
         of_chirp.ok_or_else(|| frame.fault(format!("it sends chirp {index}, which nothing defines before")))
     }
 
     /// The common profile of all chirps of a frame.
-    fn profile(&self, frame: &InLine<Frame>) -> Result<InLine<Profile>, Fault> {
+    fn profile(&self, frame: &FromCommand<Frame>) -> Result<FromCommand<Profile>, Fault> {
         let Frame { first, last, loops, .. } = frame.value;
         if last < first || loops == 0 {
             return Err(frame.fault(format!("chirps {first} to {last}, {loops} times, are none")));
@@ -239,14 +242,18 @@ impl Program<'_> {
                 return Err(chirp.fault(format!("chirp {index} has profile {}, chirp {first} profile {id}: chirps of one form alone are read", chirp.value.profile)));
             }
         }
-        self.last(&format!("profile {id}"), |told| match told {
-            Told::Profile(profile) if profile.id == id => Some(*profile),
+        self.last(&format!("profile {id}"), |setting| match setting {
+            Setting::Profile(profile) if profile.id == id => Some(*profile),
             _ => None,
         })
     }
 
     /// Transmitters in the order of their chirps, each once: the frame's chirps must repeat this sequence.
-    fn turns(&self, frame: &InLine<Frame>, channels: &InLine<Channels>) -> Result<Vec<usize>, Fault> {
+    fn turns(
+        &self,
+        frame: &FromCommand<Frame>,
+        channels: &FromCommand<Channels>,
+    ) -> Result<Vec<usize>, Fault> {
         let Frame { first, last, .. } = frame.value;
         let mut sent = Vec::new();
         for index in first..=last {
@@ -274,7 +281,11 @@ impl Program<'_> {
 }
 
 /// The single transmitter of a chirp.
-fn lone_transmitter(index: u32, chirp: &InLine<Chirps>, channels: &InLine<Channels>) -> Result<usize, Fault> {
+fn lone_transmitter(
+    index: u32,
+    chirp: &FromCommand<Chirps>,
+    channels: &FromCommand<Channels>,
+) -> Result<usize, Fault> {
     let mask = chirp.value.transmitters;
     match numbers(mask)[..] {
         [tx] if channels.value.transmitters >> tx & 1 == 1 => Ok(tx),
@@ -333,7 +344,7 @@ fn check_board(settings: &DeviceSettings) -> Result<(), Fault> {
     }
 }
 
-impl<T> InLine<T> {
+impl<T> FromCommand<T> {
     pub(super) fn fault(&self, rule: impl std::fmt::Display) -> Fault {
         Fault { line: Some(self.line), rule: format!("{}: {rule}", self.name) }
     }

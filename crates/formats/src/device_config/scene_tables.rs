@@ -1,6 +1,6 @@
 //! Settings of a device as keys of a scene.
 
-use super::chirp_program::{DeviceSettings, InLine, sampling_word};
+use super::chirp_program::{DeviceSettings, FromCommand, sampling_word};
 use super::statements::Profile;
 use crate::devices::Board;
 use artifact::radar::Sampling;
@@ -27,15 +27,15 @@ struct Command {
     name: &'static str,
 }
 
-impl<T> From<&InLine<T>> for Command {
-    fn from(told: &InLine<T>) -> Self {
+impl<T> From<&FromCommand<T>> for Command {
+    fn from(told: &FromCommand<T>) -> Self {
         Self { line: told.line, name: told.name }
     }
 }
 
 /// Reason why a configuration makes no scene; the file is named before it.
 #[derive(Debug, thiserror::Error)]
-pub enum NoScene {
+pub enum SceneTextError {
     /// No board was given, and the configuration names none: the places of the antennas are unknown.
     #[error("{}: no chip is named, and with it no antenna: --device xwr1243, xwr1443, xwr1642, xwr1843, xwr6843 or awr2243 names the board", .file.display())]
     NoBoard {
@@ -54,13 +54,15 @@ pub enum NoScene {
 ///
 /// # Errors
 /// The board is unknown; a scene cannot have some of the settings.
-pub fn scene_text(settings: &DeviceSettings, from: &Path) -> Result<String, NoScene> {
-    let board = settings.board.ok_or_else(|| NoScene::NoBoard { file: from.to_owned() })?;
+pub fn scene_text(settings: &DeviceSettings, from: &Path) -> Result<String, SceneTextError> {
+    let board = settings.board.ok_or_else(|| SceneTextError::NoBoard { file: from.to_owned() })?;
     let draft = draft(settings, board, from);
     let options = ReadOptions::names_only();
     match scene::read_text(from, &draft.text, &options) {
         Ok(_) => Ok(draft.text),
-        Err(errors) => Err(NoScene::Broken(errors.0.iter().map(|error| draft.told(error, from)).collect())),
+        Err(errors) => {
+            Err(SceneTextError::Broken(errors.0.iter().map(|error| draft.explain(error, from)).collect()))
+        }
     }
 }
 
@@ -79,12 +81,12 @@ impl Draft {
         self.commands.push(command);
     }
 
-    fn told_key(&mut self, told: &str, remark: &str, command: Option<Command>) {
+    fn key_line(&mut self, told: &str, remark: &str, command: Option<Command>) {
         self.line(&format!("{told:<31} # {remark}"), command);
     }
 
     /// A broken rule of the scene with its place in the configuration.
-    fn told(&self, error: &SceneError, from: &Path) -> String {
+    fn explain(&self, error: &SceneError, from: &Path) -> String {
         let line = error.position.map_or(0, |position| position.line as usize);
         let command = line.checked_sub(1).and_then(|index| *self.commands.get(index)?);
         let at = command.map_or_else(String::new, |Command { line, name }| format!("{line}: {name}:"));
@@ -110,13 +112,13 @@ fn draft(settings: &DeviceSettings, board: Board, from: &Path) -> Draft {
         None,
     );
     draft.line(&format!("name = {}", serde_json::Value::from(name_of(from))), None);
-    draft.told_key("frames = 1", &format!("{} of line {} asks for {asked}", frame.name, frame.line), None);
+    draft.key_line("frames = 1", &format!("{} of line {} asks for {asked}", frame.name, frame.line), None);
     let interval = frame_interval(settings);
     draft.line(&format!("{} = {}", interval.key, interval.value), Some(interval.command));
     draft.line("", None);
     draft.line("[radar]", None);
     let remark = "where the board stands: yours to say, as boresight_az_deg";
-    draft.told_key("position_m = [0.0, 0.0, 1.0]", remark, None);
+    draft.key_line("position_m = [0.0, 0.0, 1.0]", remark, None);
     let mut table = "";
     for entry in entries(settings) {
         if entry.table != table {
@@ -124,12 +126,12 @@ fn draft(settings: &DeviceSettings, board: Board, from: &Path) -> Draft {
             draft.line("", None);
             draft.line(&format!("[{table}]"), None);
         }
-        draft.told_key(&format!("{} = {}", entry.key, entry.value), &entry.remark, Some(entry.command));
+        draft.key_line(&format!("{} = {}", entry.key, entry.value), &entry.remark, Some(entry.command));
     }
     noise(&mut draft, settings, board);
     draft.line("", None);
     draft.line("[dsp]", None);
-    draft.told_key("assumed_height_m = 1.0", "as high as the board, until you say otherwise", None);
+    draft.key_line("assumed_height_m = 1.0", "as high as the board, until you say otherwise", None);
     draft
 }
 
@@ -141,7 +143,7 @@ fn noise(draft: &mut Draft, settings: &DeviceSettings, board: Board) {
     draft.line("", None);
     draft.line("[noise]", None);
     let remark = format!("typical, data sheet {sheet}; a recording's own level is taken from its map");
-    draft.told_key(&format!("noise_figure_db = {}", decimal(figure_db)), &remark, None);
+    draft.key_line(&format!("noise_figure_db = {}", decimal(figure_db)), &remark, None);
 }
 
 /// Name of the scene: that of the file, as far as it is valid for scenes and folders.

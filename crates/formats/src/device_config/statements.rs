@@ -16,12 +16,12 @@ pub(super) struct Statement {
     pub(super) line: usize,
     /// Name as written in the file.
     pub(super) name: &'static str,
-    pub(super) told: Told,
+    pub(super) setting: Setting,
 }
 
 /// Meaning of a command.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Told {
+pub(super) enum Setting {
     /// A reset: earlier commands do not count.
     Flush,
     Board(Board),
@@ -139,8 +139,8 @@ pub(super) struct Arguments<'a> {
 
 impl Arguments<'_> {
     /// The command with these arguments.
-    pub(super) fn statement(&self, told: Told) -> Statement {
-        Statement { line: self.line, name: self.name, told }
+    pub(super) fn statement(&self, setting: Setting) -> Statement {
+        Statement { line: self.line, name: self.name, setting }
     }
 
     /// A rule that this command breaks.
@@ -200,7 +200,7 @@ impl Arguments<'_> {
 
     /// Meaning of the code of a converter's bits at an index, and of its format: real, complex, or complex
     /// with its image band.
-    pub(super) fn converter(&self, bits: usize, format: u32) -> Result<Told, Fault> {
+    pub(super) fn converter(&self, bits: usize, format: u32) -> Result<Setting, Fault> {
         let bits = [12, 14, 16][self.whole(bits, "the converter's bits", 2)? as usize];
         let sampling = match format {
             0 => Sampling::Real,
@@ -208,7 +208,7 @@ impl Arguments<'_> {
             3 => return Err(self.fault("format 3, pseudo real, is not read: 0, real, and 1 and 2, complex")),
             other => return Err(self.fault(format!("the format of samples is {other}, not from 0 to 2"))),
         };
-        Ok(Told::Converter { bits, sampling })
+        Ok(Setting::Converter { bits, sampling })
     }
 
     /// Whether any of these arguments, phases of transmitters, is not 0.
@@ -221,7 +221,7 @@ impl Arguments<'_> {
     }
 
     /// A profile in the usual units, GHz, µs, MHz/µs and ksps.
-    pub(super) fn profile(&self, columns: ProfileColumns) -> Result<Told, Fault> {
+    pub(super) fn profile(&self, columns: ProfileColumns) -> Result<Setting, Fault> {
         let number = |index, what| self.number(index, what);
         self.sound_profile(Profile {
             id: self.whole(0, "the profile's number", 3)?,
@@ -237,7 +237,7 @@ impl Arguments<'_> {
     }
 
     /// Refuses a form of chirps that no device sends.
-    pub(super) fn sound_profile(&self, profile: Profile) -> Result<Told, Fault> {
+    pub(super) fn sound_profile(&self, profile: Profile) -> Result<Setting, Fault> {
         let Profile { slope_mhz_per_us, rate_ksps, samples, idle_us, adc_start_us, ramp_end_us, .. } =
             profile;
         if slope_mhz_per_us == 0.0 || rate_ksps <= 0.0 || samples == 0 {
@@ -253,6 +253,6 @@ impl Arguments<'_> {
                 "the last sample is taken {end_us:.2} µs into the ramp, which ends after {ramp_end_us} µs"
             )));
         }
-        Ok(Told::Profile(profile))
+        Ok(Setting::Profile(profile))
     }
 }

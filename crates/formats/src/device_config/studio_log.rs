@@ -6,7 +6,7 @@
 
 use super::lua_calls::{self, LuaCall};
 use super::statements::{
-    Arguments, CHIRPS_MAX, Chirps, Fault, Frame, Profile, ProfileColumns, Statement, Told,
+    Arguments, CHIRPS_MAX, Chirps, Fault, Frame, Profile, ProfileColumns, Setting, Statement,
 };
 use crate::devices::{Board, IqOrder, Lanes};
 use std::collections::BTreeMap;
@@ -34,7 +34,9 @@ pub(super) fn statements(text: &str, board: Option<Board>) -> Result<(Vec<Statem
             continue;
         };
         let arguments = Arguments { line: call.line, name, words: call.words()? };
-        all.extend(reader.read(call.form, &arguments)?.into_iter().map(|told| arguments.statement(told)));
+        all.extend(
+            reader.read(call.form, &arguments)?.into_iter().map(|setting| arguments.statement(setting)),
+        );
         in_branches.extend((call.branch > 0).then_some(call.line));
     }
     in_branches.dedup();
@@ -85,24 +87,24 @@ struct Call<'a> {
     name: &'a str,
     /// Branch of a script, 0 outside of all.
     branch: usize,
-    words: Words<'a>,
+    words: CallArguments<'a>,
 }
 
-enum Words<'a> {
-    OfLog(&'a str),
-    OfScript(LuaCall<'a>),
+enum CallArguments<'a> {
+    Log(&'a str),
+    Script(LuaCall<'a>),
 }
 
 fn calls<'a>(text: &'a str, code: &'a str) -> Vec<Call<'a>> {
     let of_log = |(index, (line, code)): (usize, (&'a str, &str))| {
         let (_, call) = line.split_at(code.find("API:")? + "API:".len());
         let (name, words) = call.split_once(',').unwrap_or((call, ""));
-        let words = Words::OfLog(words);
+        let words = CallArguments::Log(words);
         Some(Call { line: index + 1, form: Form::Log, name: name.trim(), branch: 0, words })
     };
     let of_script = |call: LuaCall<'a>| {
         let LuaCall { line, name, branch, .. } = call;
-        Call { line, form: Form::Script, name, branch, words: Words::OfScript(call) }
+        Call { line, form: Form::Script, name, branch, words: CallArguments::Script(call) }
     };
     let mut all: Vec<Call<'_>> = text.lines().zip(code.lines()).enumerate().filter_map(of_log).collect();
     all.extend(lua_calls::calls(text, code).into_iter().map(of_script));
@@ -114,7 +116,7 @@ impl<'a> Call<'a> {
     /// Whether the call starts the sensor; a start within a function does not count, because it is unknown
     /// where the function is called.
     fn starts_the_sensor(&self) -> bool {
-        let is_in_function = matches!(&self.words, Words::OfScript(call) if call.is_in_function);
+        let is_in_function = matches!(&self.words, CallArguments::Script(call) if call.is_in_function);
         STARTS.contains(&self.name) && !is_in_function
     }
 
@@ -125,8 +127,8 @@ impl<'a> Call<'a> {
 
     fn words(&self) -> Result<Vec<&'a str>, Fault> {
         match &self.words {
-            Words::OfLog(list) => Ok(words_of(list)),
-            Words::OfScript(call) => call.words().ok_or_else(|| self.fault("the call does not end")),
+            CallArguments::Log(list) => Ok(words_of(list)),
+            CallArguments::Script(call) => call.words().ok_or_else(|| self.fault("the call does not end")),
         }
     }
 
@@ -205,9 +207,9 @@ struct LogReader {
 }
 
 impl LogReader {
-    fn read(&mut self, form: Form, arguments: &Arguments<'_>) -> Result<Vec<Told>, Fault> {
+    fn read(&mut self, form: Form, arguments: &Arguments<'_>) -> Result<Vec<Setting>, Fault> {
         let log = form == Form::Log;
-        let told = match arguments.name {
+        let setting = match arguments.name {
             "select_chip_version" | "SelectChipVersion" | "deviceVariantSelection" => {
                 return Ok(self.chip(arguments).into_iter().collect());
             }
@@ -228,18 +230,18 @@ impl LogReader {
             }
             _ => return Ok(vec![]),
         };
-        Ok(vec![told])
+        Ok(vec![setting])
     }
 
-    fn chip(&mut self, arguments: &Arguments<'_>) -> Option<Told> {
+    fn chip(&mut self, arguments: &Arguments<'_>) -> Option<Setting> {
         let board = Board::of_chip(arguments.words.first().copied().unwrap_or_default());
         if !self.asked {
             self.board = board;
         }
-        board.map(Told::Board)
+        board.map(Setting::Board)
     }
 
-    fn profile_of_codes(&self, arguments: &Arguments<'_>) -> Result<Told, Fault> {
+    fn profile_of_codes(&self, arguments: &Arguments<'_>) -> Result<Setting, Fault> {
         arguments.at_least(11)?;
         let Some(board) = self.board else {
             return Err(arguments
@@ -263,10 +265,10 @@ impl LogReader {
 /// TX0 … TX2, RX0 … RX3, bits, format, modes; the upper 16 bits of RX3, of the format and of the modes
 /// specify other settings: pins of a cascade, the reduction of the full scale, and whether there is a
 /// cascade.
-fn channels_and_converter(arguments: &Arguments<'_>) -> Result<[Told; 2], Fault> {
+fn channels_and_converter(arguments: &Arguments<'_>) -> Result<[Setting; 2], Fault> {
     arguments.at_least(9)?;
     let what = "the switch of a channel";
-    let channels = Told::Channels {
+    let channels = Setting::Channels {
         transmitters: mask(arguments, 0..3, what)?,
         receivers: mask(arguments, 3..7, what)?,
     };
@@ -285,20 +287,20 @@ fn mask(arguments: &Arguments<'_>, words: Range<usize>, what: &str) -> Result<u3
     })
 }
 
-fn channels(arguments: &Arguments<'_>) -> Result<Told, Fault> {
+fn channels(arguments: &Arguments<'_>) -> Result<Setting, Fault> {
     arguments.at_least(2)?;
     if arguments.words.len() > 2 && arguments.number(2, "the cascade")? != 0.0 {
         return Err(arguments.fault("cascades of devices are not read"));
     }
-    Ok(Told::Channels {
+    Ok(Setting::Channels {
         transmitters: arguments.whole(0, "the mask of transmitters", 15)?,
         receivers: arguments.whole(1, "the mask of receivers", 15)?,
     })
 }
 
 /// Receivers, bits, format, order of I and Q, interleaving.
-fn order(arguments: &Arguments<'_>) -> Result<Told, Fault> {
-    Ok(Told::Order(match arguments.whole(3, "the order of I and Q", 1)? {
+fn order(arguments: &Arguments<'_>) -> Result<Setting, Fault> {
+    Ok(Setting::Order(match arguments.whole(3, "the order of I and Q", 1)? {
         0 => IqOrder::InPhaseFirst,
         _ => IqOrder::QuadratureFirst,
     }))
@@ -307,7 +309,7 @@ fn order(arguments: &Arguments<'_>) -> Result<Told, Fault> {
 /// Interface, contents of packets 0 and 1, each in the lower bits of its word (a script has sizes above
 /// them): samples alone are 1, nothing is 0, and the others have parameters (CP) or quality (CQ) of the
 /// chirp: CP and samples, samples and CP, all three, CP and CQ, CQ and CP (mmWaveLink, `rlDevDataPathCfg_t`).
-fn data_path(arguments: &Arguments<'_>) -> Result<Told, Fault> {
+fn data_path(arguments: &Arguments<'_>) -> Result<Setting, Fault> {
     const BETWEEN: [u32; 5] = [0b000110, 0b001001, 0b110110, 0b001110, 0b001011];
     let mut between = None;
     for index in 0..arguments.words.len().min(3) {
@@ -316,25 +318,25 @@ fn data_path(arguments: &Arguments<'_>) -> Result<Told, Fault> {
             between = Some("parameters and quality of each chirp");
         }
     }
-    Ok(Told::Stream(between))
+    Ok(Setting::Stream(between))
 }
 
-fn lanes(arguments: &Arguments<'_>, mask: u32) -> Result<Told, Fault> {
+fn lanes(arguments: &Arguments<'_>, mask: u32) -> Result<Setting, Fault> {
     match mask {
-        3 => Ok(Told::Lanes(Lanes::Two)),
-        15 => Ok(Told::Lanes(Lanes::Four)),
+        3 => Ok(Setting::Lanes(Lanes::Two)),
+        15 => Ok(Setting::Lanes(Lanes::Four)),
         other => Err(arguments.fault(format!("lanes {other:#b} are not read: two (3) and four (15) alone"))),
     }
 }
 
 /// Profile with the powers and phases of three transmitters before the slope.
-fn profile(arguments: &Arguments<'_>) -> Result<Told, Fault> {
+fn profile(arguments: &Arguments<'_>) -> Result<Setting, Fault> {
     arguments.at_least(15)?;
     arguments.profile(ProfileColumns { phases: [8, 11], slope: 11, samples: 13, rate: 14 })
 }
 
 /// Chirps with transmitters as a mask in the log, as switches in a script.
-fn chirps(arguments: &Arguments<'_>, form: Form) -> Result<Told, Fault> {
+fn chirps(arguments: &Arguments<'_>, form: Form) -> Result<Setting, Fault> {
     arguments.at_least(8)?;
     for index in 3..7 {
         arguments.none(index, "a change of the profile")?;
@@ -345,7 +347,7 @@ fn chirps(arguments: &Arguments<'_>, form: Form) -> Result<Told, Fault> {
             Ok(mask | arguments.whole(7 + bit, "the switch of a transmitter", 1)? << bit)
         })?,
     };
-    Ok(Told::Chirps(Chirps {
+    Ok(Setting::Chirps(Chirps {
         first: arguments.whole(0, "the first chirp", CHIRPS_MAX - 1)?,
         last: arguments.whole(1, "the last chirp", CHIRPS_MAX - 1)?,
         profile: arguments.whole(2, "the profile's number", 3)?,
@@ -354,10 +356,10 @@ fn chirps(arguments: &Arguments<'_>, form: Form) -> Result<Told, Fault> {
 }
 
 /// Frame with the period in steps of 5 ns in a log, in milliseconds in a script.
-fn frame(arguments: &Arguments<'_>, form: Form) -> Result<Told, Fault> {
+fn frame(arguments: &Arguments<'_>, form: Form) -> Result<Setting, Fault> {
     arguments.at_least(5)?;
     let period = arguments.number(4, "the frame's period")?;
-    Ok(Told::Frame(Frame {
+    Ok(Setting::Frame(Frame {
         first: arguments.whole(0, "the first chirp", CHIRPS_MAX - 1)?,
         last: arguments.whole(1, "the last chirp", CHIRPS_MAX - 1)?,
         frames: arguments.whole(2, "the number of frames", u32::from(u16::MAX))?,

@@ -119,7 +119,7 @@ fn the_scene_that_is_written_is_one_with_that_radar() {
         assert_eq!((radar.array.tx_m.len(), radar.array.rx_m.len(), radar.waveform.chirps), (2, 4, 128));
         assert!((radar.repetition_interval_s() - 184e-6).abs() < 1e-12);
         let settings = settings(text, board).unwrap();
-        let configured = Configured { file: Path::new("a.cfg"), settings: &settings };
+        let configured = ConfigFile { file: Path::new("a.cfg"), settings: &settings };
         assert!(scene_with(&file, None, &configured).is_ok());
         // A scene that says nothing of the radar has it all the same.
         std::fs::write(&file, "name = \"a\"\n").unwrap();
@@ -322,7 +322,7 @@ fn the_frames_of_scene_and_configuration_have_to_be_the_same() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("s.toml");
     let settings = settings(SDK, Some(Board::Xwr1843)).unwrap();
-    let configured = Configured { file: Path::new("a.cfg"), settings: &settings };
+    let configured = ConfigFile { file: Path::new("a.cfg"), settings: &settings };
     let with = |text: &str| {
         std::fs::write(&file, format!("name = \"a\"\n{text}\n")).unwrap();
         scene_with(&file, None, &configured).map_err(|failure| failure.to_string())

@@ -26,7 +26,7 @@ pub fn npy(reader: Reader<Cube>, out: &Path) -> Result<(), Failure> {
             times.push(frame.time_s);
             stream.append(&frame.samples)?;
         }
-        sidecar::outdate(out)
+        sidecar::remove_outdated(out)
     })?;
     sidecar::write(out, &axes(&header, &times))
 }

@@ -1,7 +1,7 @@
 //! Crops as uint8 `[sample, velocity, range]`, or as pictures.
 
 use crate::npy_stream::NpyStream;
-use crate::plain_name::plain_name;
+use crate::safe_file_name::safe_file_name;
 use crate::sidecar;
 use artifact::Reader;
 use artifact::dataset::{Crop, Dataset, Sample};
@@ -32,7 +32,7 @@ pub fn npy(file: &Path, out: &Path) -> Result<(), Failure> {
                 }
             }
         }
-        sidecar::outdate(out)
+        sidecar::remove_outdated(out)
     });
     failed.map_or(written, Err)?;
     sidecar::write(
@@ -67,7 +67,7 @@ pub fn png(file: &Path, out: &Path) -> Result<(), Failure> {
     let side = reader.header().side;
     for sample in progress::frames(reader) {
         let sample = sample?;
-        let place = out.join(format!("{}.png", plain_name(&sample.id)));
+        let place = out.join(format!("{}.png", safe_file_name(&sample.id)));
         reporting::pictures::write_gray(&place, [side as usize; 2], &image(file, sample)?.pixels)?;
     }
     Ok(())

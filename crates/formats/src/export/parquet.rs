@@ -119,7 +119,7 @@ pub fn samples(asked: &Path, out: &Path) -> Result<(), Failure> {
 /// The shards of a folder, at least one; a plain file is the only shard.
 fn shards(asked: &Path) -> Result<Vec<PathBuf>, Failure> {
     if !asked.is_dir() {
-        artifact::inputs::note(asked);
+        artifact::inputs::register_path(asked);
         return Ok(vec![asked.to_owned()]);
     }
     Ok(DatasetFolder::open(asked)?.shards)

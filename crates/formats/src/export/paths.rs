@@ -30,7 +30,7 @@ pub fn csv(reader: Reader<Paths>, out: &Path) -> Result<(), Failure> {
             let radar = header.radar.in_frame(frame.index);
             frame.paths.iter().try_for_each(|path| rows(stream, (&header, &radar), frame.index, path))?;
         }
-        sidecar::outdate(out)
+        sidecar::remove_outdated(out)
     })?;
     let axes = json!({ "f_c_hz": header.centre_frequency_hz, "positions_at": "the frame's first sample",
         "delay_at": "the frame's middle, from the array's centre",

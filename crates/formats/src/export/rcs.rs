@@ -1,7 +1,7 @@
 //! RCS tables as complex128 `[frequency, elevation, azimuth]`.
 
 use crate::npy_stream::NpyStream;
-use crate::plain_name::plain_name;
+use crate::safe_file_name::safe_file_name;
 use crate::sidecar;
 use artifact::Reader;
 use artifact::rcs::{Rcs, RcsTable};
@@ -34,14 +34,14 @@ pub fn npy(reader: Reader<Rcs>, out: &Path) -> Result<(), Failure> {
 
 fn numbered(out: &Path, frame: u32, target: &str) -> PathBuf {
     let stem = out.file_stem().unwrap_or_default().to_string_lossy();
-    out.with_file_name(format!("{stem}-{frame:04}-{}.npy", plain_name(target)))
+    out.with_file_name(format!("{stem}-{frame:04}-{}.npy", safe_file_name(target)))
 }
 
 fn write(out: &Path, frame: u32, target: &str, table: &RcsTable) -> Result<(), Failure> {
     let shape = [table.frequency_hz.len(), table.elevation_rad.len(), table.azimuth_rad.len()];
     NpyStream::write::<Complex64>(out, &shape, |stream| {
         stream.append(&table.amplitude_m)?;
-        sidecar::outdate(out)
+        sidecar::remove_outdated(out)
     })?;
     let degrees = |axis: &[f64]| axis.iter().map(|a| a.to_degrees()).collect::<Vec<_>>();
     let range = table.range_m.is_finite().then_some(table.range_m);

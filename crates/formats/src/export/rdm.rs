@@ -35,7 +35,7 @@ pub fn npy(reader: Reader<Rdm>, out: &Path) -> Result<(), Failure> {
             told.push((frame.time_s, frame.detections, frame.cells));
             masks.extend_from_slice(&frame.mask);
         }
-        sidecar::outdate(out)
+        sidecar::remove_outdated(out)
     })?;
     NpyStream::write::<u8>(&mask, &[frames, doppler, range], |s| s.append(&masks))?;
     sidecar::write(out, &axes(&header, &told))
@@ -54,7 +54,7 @@ fn mask_beside(out: &Path) -> PathBuf {
 fn keep_what_is_no_mask(place: &Path, out: &Path) -> Result<(), Failure> {
     let name = out.file_name().unwrap_or_default().to_string_lossy();
     let rule = format!("is no mask of {name}, beside which it would be written");
-    files::keep_unless(place, &rule, || is_mask(place) && !sidecar::beside(place).exists())
+    files::refuse_unless(place, &rule, || is_mask(place) && !sidecar::beside(place).exists())
 }
 
 /// Whether the head of a file is that of a mask written here.

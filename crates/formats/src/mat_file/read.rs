@@ -143,7 +143,7 @@ impl<'a> Element<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mat_file::Array;
+    use crate::mat_file::ComplexArray;
     use flate2::{Compression, write::ZlibEncoder};
     use std::io::Write;
 
@@ -154,7 +154,7 @@ mod tests {
     }
 
     fn file() -> Vec<u8> {
-        Array { name: "adcData", shape: SHAPE, values: &values() }.to_bytes()
+        ComplexArray { name: "adcData", shape: SHAPE, values: &values() }.to_bytes()
     }
 
     fn packed(file: &[u8]) -> Vec<u8> {
@@ -191,10 +191,11 @@ mod tests {
 
     #[test]
     fn a_complex_array_of_other_sides_may_stand_before_the_one_that_is_meant() {
-        let other = Array { name: "taps", shape: [5, 1, 1, 1], values: &values()[..5] }.to_bytes();
+        let other = ComplexArray { name: "taps", shape: [5, 1, 1, 1], values: &values()[..5] }.to_bytes();
         let both = [&other, &file()[HEAD_BYTES..]].concat();
         assert_eq!(complex_values(&both, SHAPE).unwrap(), values());
-        let long = Array { name: "long", shape: [9000, 1, 1, 1], values: &[Complex32::ONE; 9000] }.to_bytes();
+        let long =
+            ComplexArray { name: "long", shape: [9000, 1, 1, 1], values: &[Complex32::ONE; 9000] }.to_bytes();
         let both = [&packed(&long), &packed(&file())[HEAD_BYTES..]].concat();
         assert_eq!(complex_values(&both, SHAPE).unwrap(), values());
         assert!(complex_values(&other, SHAPE).is_err_and(|e| e.to_string().contains("the scene's radar")));

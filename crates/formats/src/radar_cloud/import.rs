@@ -1,6 +1,6 @@
 //! Clouds of other radars as points: a file, or a folder of files, each a frame in the order of their names.
 
-use crate::heights::Heights;
+use crate::height_source::HeightSource;
 use crate::levelled_axes::LevelledAxes;
 use crate::radar_cloud::{Detection, LIMIT_BYTES, pcd, velodyne};
 use artifact::cube::CubeHeader;
@@ -15,24 +15,24 @@ use pipeline::host::progress;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
-/// Writes clouds as points of the scene's radar, with the objects that they form; `told_by` are the files of
-/// the scene and its radar, which `scene` reads.
+/// Writes clouds as points of the scene's radar, with the objects that they form; `scene_files` are the files
+/// of the scene and its radar, which `scene` reads.
 ///
 /// # Errors
 /// A file that is not such a cloud, or none at all; those of `scene`; a file that changed meanwhile.
 pub fn points(
     asked: &Path,
-    told_by: &[PathBuf],
+    scene_files: &[PathBuf],
     scene: impl FnOnce() -> Result<SceneHeader, Failure>,
     out: &Path,
 ) -> Result<(), Failure> {
-    let (scene, of_scene) = loading::read_of(told_by, scene)?;
+    let (scene, of_scene) = loading::read_hashed(scene_files, scene)?;
     let files = frames_of(asked, &["bin", "pcd"])?;
     let description: Option<PathBuf> = files.first().and_then(|file| description_of(file));
-    let mut inputs = loading::seen(&[files.as_slice(), description.as_slice()].concat())?;
+    let mut inputs = loading::file_states(&[files.as_slice(), description.as_slice()].concat())?;
     let mut named: Vec<_> = inputs.iter().map(|file| file.named().clone()).collect();
     named.splice(files.len()..files.len(), of_scene);
-    let told = description.as_deref().map(height_told).transpose()?.flatten();
+    let told = description.as_deref().map(described_height).transpose()?.flatten();
     let cube = cube_header(&scene);
     let axes = LevelledAxes::of(&scene.radar);
     let header = PointsHeader { cube: Some(cube.clone()), ..PointsHeader::default() };
@@ -70,12 +70,12 @@ fn description_of(file: &Path) -> Option<PathBuf> {
 }
 
 /// Source of the heights of a dataset, if its description specifies one.
-fn height_told(description: &Path) -> Result<Option<Height>, Failure> {
+fn described_height(description: &Path) -> Result<Option<Height>, Failure> {
     let text = bounded::read_text(description, LIMIT_BYTES);
     let text = text.map_err(|fault| Failure::unread(description, &fault))?;
     let told: Value = serde_json::from_str(&text).unwrap_or_default();
     let of_words = |words: &str| {
-        if words == Heights::Measured.words() { Height::Measured } else { Height::Assumed }
+        if words == HeightSource::Measured.words() { Height::Measured } else { Height::Assumed }
     };
     Ok(told["heights"].as_str().map(of_words))
 }
@@ -84,7 +84,7 @@ fn height_told(description: &Path) -> Result<Option<Height>, Failure> {
 /// for it.
 fn read(file: &Path) -> Result<(Vec<Detection>, Height), Failure> {
     let bytes = bounded::read(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
-    let (found, height) = match ending(file) {
+    let (found, height) = match extension(file) {
         Some("pcd") => (pcd::of_bytes(&bytes), Height::Assumed),
         _ => (velodyne::of_bytes(&bytes), Height::Measured),
     };
@@ -102,7 +102,7 @@ pub fn frames_of(asked: &Path, endings: &[&str]) -> Result<Vec<PathBuf>, Failure
     let mut files = vec![];
     for entry in entries {
         let file = entry.map_err(|e| Failure::system(asked, "be listed", e))?.path();
-        if ending(&file).is_some_and(|ending| endings.contains(&ending)) {
+        if extension(&file).is_some_and(|ending| endings.contains(&ending)) {
             files.push(file);
         }
     }
@@ -110,7 +110,7 @@ pub fn frames_of(asked: &Path, endings: &[&str]) -> Result<Vec<PathBuf>, Failure
     let refused = |rule: String| Err(Failure::Refused(format!("{}: {rule}", asked.display())));
     match files.split_first() {
         None => refused(format!("no file in it ends in .{}", endings.join(" or ."))),
-        Some((first, rest)) if rest.iter().any(|file| ending(file) != ending(first)) => {
+        Some((first, rest)) if rest.iter().any(|file| extension(file) != extension(first)) => {
             refused(format!("its files do not all end alike, in .{}", endings.join(" or .")))
         }
         Some(_) => Ok(files),
@@ -118,7 +118,7 @@ pub fn frames_of(asked: &Path, endings: &[&str]) -> Result<Vec<PathBuf>, Failure
 }
 
 /// Ending of a file's name.
-pub fn ending(file: &Path) -> Option<&str> {
+pub fn extension(file: &Path) -> Option<&str> {
     file.extension().and_then(|ending| ending.to_str())
 }
 

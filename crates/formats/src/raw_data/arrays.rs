@@ -1,7 +1,7 @@
 //! Frames of NumPy arrays: samples in a cube's shape, or range–azimuth–Doppler tensors.
 
 use crate::raw_data::raddet::TensorInverse;
-use crate::raw_data::{Imported, IntegerStep, LIMIT_BYTES, npy};
+use crate::raw_data::{ImportedFrames, IntegerStep, LIMIT_BYTES, npy};
 use artifact::bounded;
 use artifact::cube::CubeHeader;
 use ndarray::{ArrayD, Axis};
@@ -21,8 +21,8 @@ const AXES: usize = 4;
 ///
 /// # Errors
 /// Files that are not such arrays, do not have the sizes of the header's radar, or are of different kinds.
-pub fn read(files: &[PathBuf], header: &CubeHeader) -> Result<Imported, Failure> {
-    let mut imported = Imported { frames: vec![], step: IntegerStep::Floats };
+pub fn read(files: &[PathBuf], header: &CubeHeader) -> Result<ImportedFrames, Failure> {
+    let mut imported = ImportedFrames { frames: vec![], step: IntegerStep::Floats };
     let mut inverse = None;
     for (index, file) in progress::counted("frames", files, files.len()).enumerate() {
         let array = values(file)?;

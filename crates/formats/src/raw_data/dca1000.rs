@@ -3,7 +3,7 @@
 use crate::raw_data::described_waveform::WaveformKeys;
 pub use crate::raw_data::lanes::Layout;
 use crate::raw_data::lanes::TWO_LANES;
-use crate::raw_data::{Imported, IntegerStep, LIMIT_BYTES, Recording, Shape};
+use crate::raw_data::{ImportedFrames, IntegerStep, LIMIT_BYTES, RecordingShape, ShapeSource};
 use crate::sidecar;
 use artifact::Reader;
 use artifact::bounded;
@@ -32,14 +32,14 @@ pub fn write(file: &Path, out: &Path) -> Result<(), Failure> {
 fn write_in_two(file: &Path, out: &Path, between: impl FnOnce()) -> Result<(), Failure> {
     let reader = Reader::<Cube>::open(file)?;
     let header = reader.header().clone();
-    let recording = Recording::of_complex(file, &header)?;
+    let recording = RecordingShape::of_complex(file, &header)?;
     TWO_LANES.check(file, &recording, Sampling::Complex)?;
     sidecar::claim(out)?;
-    let (mut parts, mut seen) = (Parts::NONE, blake3::Hasher::new());
+    let (mut parts, mut seen) = (SampleRange::NONE, blake3::Hasher::new());
     for frame in progress::frames(reader) {
         let samples = frame?.samples;
         hash(&mut seen, &samples);
-        parts = samples.iter().flat_map(|x| [x.re, x.im]).fold(parts, Parts::with);
+        parts = samples.iter().flat_map(|x| [x.re, x.im]).fold(parts, SampleRange::with);
     }
     let step = step_of(header.unit, parts);
     between();
@@ -64,7 +64,7 @@ fn write_in_two(file: &Path, out: &Path, between: impl FnOnce()) -> Result<(), F
         return Err(loading::changed(file));
     }
     written?;
-    let mut told = told(&header, &recording, frames, step);
+    let mut told = description(&header, &recording, frames, step);
     told[HASH] = hasher.finalize().to_hex().to_string().into();
     sidecar::write(out, &told)
 }
@@ -76,8 +76,8 @@ pub fn read(
     header: &CubeHeader,
     step: Option<f32>,
     layout: Layout,
-) -> Result<Imported, Failure> {
-    let (recording, sampling) = (Recording::of(file, header)?, header.radar.waveform.sampling);
+) -> Result<ImportedFrames, Failure> {
+    let (recording, sampling) = (RecordingShape::of(file, header)?, header.radar.waveform.sampling);
     layout.check(file, &recording, sampling)?;
     let bytes = bounded::read(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
     let unit = layout.unit_bytes(sampling);
@@ -90,14 +90,14 @@ pub fn read(
         return Err(Failure::Refused(format!("{}: {text}", file.display())));
     }
     let beside = description_of(file, &bytes);
-    let mut shape = Shape::Assumed;
+    let mut shape = ShapeSource::Assumed;
     if let Some((told, place)) = &beside {
         WAVEFORM.check(told, place, &header.radar.waveform)?;
         shape = check_sizes(told, place, &recording)?;
     }
     recording.check_frames(file, bytes.len() / layout.value_bytes(sampling), shape)?;
     let step = IntegerStep::of(step, || match beside {
-        Some((told, place)) => step_told(&told, place),
+        Some((told, place)) => described_step(&told, place),
         None => {
             note_of_others(file);
             None
@@ -106,7 +106,7 @@ pub fn read(
     let values = layout.by_slot(&bytes, &recording, sampling, step.factor());
     let frames =
         values.chunks_exact(recording.values()).map(|frame| recording.cube_of_slots(frame)).collect();
-    Ok(Imported { frames, step })
+    Ok(ImportedFrames { frames, step })
 }
 
 /// Steps, of 32,767, of the strongest sample: the rest is for a reader's noise.
@@ -114,13 +114,13 @@ const FULL_SCALE: f32 = 32_000.0;
 
 /// Values of the samples that determine the step.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Parts {
+struct SampleRange {
     least: f32,
     most: f32,
     are_whole: bool,
 }
 
-impl Parts {
+impl SampleRange {
     const NONE: Self = Self { least: 0.0, most: 0.0, are_whole: true };
 
     fn with(self, part: f32) -> Self {
@@ -137,7 +137,7 @@ impl Parts {
 }
 
 /// Step of the samples; those that were steps keep their values if they fit.
-fn step_of(unit: SampleUnit, parts: Parts) -> f32 {
+fn step_of(unit: SampleUnit, parts: SampleRange) -> f32 {
     let peak = parts.most.max(-parts.least);
     match unit {
         SampleUnit::FullScale(_) | SampleUnit::Steps if parts.are_integers_of_16_bits() => 1.0,
@@ -157,7 +157,7 @@ fn bytes(values: &[Complex32], step: f32) -> Vec<u8> {
     values.as_chunks::<2>().0.iter().flat_map(pair).flatten().collect()
 }
 
-fn told(header: &CubeHeader, recording: &Recording, frames: u64, step: f32) -> Value {
+fn description(header: &CubeHeader, recording: &RecordingShape, frames: u64, step: f32) -> Value {
     let (waveform, unit) = (&header.radar.waveform, header.unit);
     json!({
         "shape": SHAPE,
@@ -205,7 +205,7 @@ fn note_of_others(file: &Path) {
 }
 
 /// Refuses frames of another shape than the radar's.
-fn check_sizes(told: &Value, place: &Path, recording: &Recording) -> Result<Shape, Failure> {
+fn check_sizes(told: &Value, place: &Path, recording: &RecordingShape) -> Result<ShapeSource, Failure> {
     let sizes = [&told[SIZES][1], &told[SIZES][2], &told[SIZES][3]];
     let radars = [recording.slots(), recording.receivers, recording.samples];
     let names = ["chirps", "receivers", "samples"];
@@ -215,18 +215,18 @@ fn check_sizes(told: &Value, place: &Path, recording: &Recording) -> Result<Shap
             return Err(Failure::Refused(format!("{}: {text}", place.display())));
         }
     }
-    Ok(Shape::of(&sizes))
+    Ok(ShapeSource::of(&sizes))
 }
 
 /// The step in a description, √W or in steps of the original converter.
-fn step_told(told: &Value, place: PathBuf) -> Option<IntegerStep> {
+fn described_step(told: &Value, place: PathBuf) -> Option<IntegerStep> {
     let number = |key: &str| {
         let number = told[key].as_f64()?;
         (number.is_finite() && number > 0.0).then_some(number)
     };
     match number(STEP) {
-        Some(step) => Some(IntegerStep::Told(step as f32, place)),
-        None => number(COUNT).map(|step| IntegerStep::Counted {
+        Some(step) => Some(IntegerStep::Described(step as f32, place)),
+        None => number(COUNT).map(|step| IntegerStep::ConverterSteps {
             step: step as f32,
             full_scale: number(FULL_SCALE_KEY),
             place,
@@ -280,7 +280,9 @@ mod tests {
 
     #[test]
     fn steps_that_fit_stay_and_whatever_else_takes_most_of_the_range() {
-        let step = |unit, parts: &[f32]| step_of(unit, parts.iter().copied().fold(Parts::NONE, Parts::with));
+        let step = |unit, parts: &[f32]| {
+            step_of(unit, parts.iter().copied().fold(SampleRange::NONE, SampleRange::with))
+        };
         let full = SampleUnit::FullScale(1.0);
         assert_eq!(step(SampleUnit::Steps, &[-32768.0, 32767.0]), 1.0, "the least integer of 16 bits fits");
         assert_eq!(step(SampleUnit::FullScale(32_768.0), &[-32768.0]), 1.0);

@@ -9,7 +9,7 @@
 //! All four lanes are recorded, each for its receiver. Some configurations put Q before I.
 
 use crate::devices::{IqOrder, Lanes};
-use crate::raw_data::Recording;
+use crate::raw_data::RecordingShape;
 use artifact::radar::Sampling;
 use num_complex::Complex32;
 use pipeline::host::failure::Failure;
@@ -35,7 +35,7 @@ impl Layout {
     pub(crate) fn check(
         &self,
         file: &Path,
-        recording: &Recording,
+        recording: &RecordingShape,
         sampling: Sampling,
     ) -> Result<(), Failure> {
         let text = match (self.lanes, sampling) {
@@ -84,7 +84,7 @@ impl Layout {
     pub(crate) fn by_slot(
         &self,
         bytes: &[u8],
-        recording: &Recording,
+        recording: &RecordingShape,
         sampling: Sampling,
         step: f32,
     ) -> Vec<Complex32> {
@@ -93,8 +93,8 @@ impl Layout {
         match (self.lanes, sampling) {
             (Lanes::Two, Sampling::Real) => real(&numbers),
             (Lanes::Two, Sampling::Complex) => self.complex::<2>(&numbers),
-            (Lanes::Four, Sampling::Real) => recording.apart(&real(&numbers)),
-            (Lanes::Four, Sampling::Complex) => recording.apart(&self.complex::<FOUR>(&numbers)),
+            (Lanes::Four, Sampling::Real) => recording.deinterleaved(&real(&numbers)),
+            (Lanes::Four, Sampling::Complex) => recording.deinterleaved(&self.complex::<FOUR>(&numbers)),
         }
     }
 
@@ -147,7 +147,7 @@ mod tests {
             (&four[..], Lanes::Four, 4, 2, Sampling::Complex),
             (&four_real[..], Lanes::Four, 4, 2, Sampling::Real),
         ] {
-            let recording = Recording::of_sizes(receivers, length);
+            let recording = RecordingShape::of_sizes(receivers, length);
             let layout = Layout { lanes, order: IqOrder::InPhaseFirst };
             let bytes = bytes(numbers);
             assert!(bytes.len().is_multiple_of(layout.unit_bytes(sampling)));
@@ -172,7 +172,8 @@ mod tests {
     fn lanes_that_do_not_hold_the_receivers_are_refused() {
         let told = |lanes, receivers, length, sampling| {
             let layout = Layout { lanes, order: IqOrder::InPhaseFirst };
-            let checked = layout.check(Path::new("x.bin"), &Recording::of_sizes(receivers, length), sampling);
+            let checked =
+                layout.check(Path::new("x.bin"), &RecordingShape::of_sizes(receivers, length), sampling);
             checked.err().map(|failure| failure.to_string())
         };
         assert!(told(Lanes::Four, 2, 4, Sampling::Complex).is_some_and(|text| text.contains("has 2")));

@@ -2,7 +2,7 @@
 //! it.
 
 use crate::raw_data::described_waveform::{WaveformKeys, same};
-use crate::raw_data::{Imported, IntegerStep, LIMIT_BYTES, Recording, Shape};
+use crate::raw_data::{ImportedFrames, IntegerStep, LIMIT_BYTES, RecordingShape, ShapeSource};
 use artifact::bounded;
 use artifact::cube::{Cube, CubeHeader};
 use artifact::{Reader, Waveform};
@@ -18,10 +18,10 @@ use std::path::{Path, PathBuf};
 pub fn write(file: &Path, out: &Path) -> Result<(), Failure> {
     let reader = Reader::<Cube>::open(file)?;
     let header = reader.header().clone();
-    let recording = Recording::of_complex(file, &header)?;
+    let recording = RecordingShape::of_complex(file, &header)?;
     let (data, meta_place) = (part_of(out, DATA), part_of(out, META));
     files::claim(&[data.clone(), meta_place.clone()])?;
-    files::keep_foreign(&meta_place, META_LIMIT_BYTES, is_own)?;
+    files::refuse_foreign(&meta_place, META_LIMIT_BYTES, is_own)?;
     let mut times = Vec::new();
     files::write_with(&data, |stream| {
         progress::frames(reader).try_for_each(|frame| {
@@ -34,7 +34,7 @@ pub fn write(file: &Path, out: &Path) -> Result<(), Failure> {
         })?;
         // If the command ends before the description is written, the old one must not describe the new
         // samples.
-        files::take_away(&meta_place, NOTHING_TOLD)
+        files::remove_description(&meta_place, NOTHING_TOLD)
     })?;
     let text = serde_json::to_string_pretty(&meta(&header, &recording, &times)).map_err(Failure::refused)?;
     files::write_file(&meta_place, text.as_bytes())
@@ -62,8 +62,8 @@ pub fn pair(asked: &Path) -> [PathBuf; 2] {
 
 /// Reads frames of `cf32_le` or `ci16_le`; one step of the latter is `step` √W, else the unit. The waveform
 /// in the description must be the radar's.
-pub fn read(file: &Path, header: &CubeHeader, step: Option<f32>) -> Result<Imported, Failure> {
-    let recording = Recording::of_complex(file, header)?;
+pub fn read(file: &Path, header: &CubeHeader, step: Option<f32>) -> Result<ImportedFrames, Failure> {
+    let recording = RecordingShape::of_complex(file, header)?;
     let (meta, data) = (file.with_extension(META), file.with_extension(DATA));
     let text = bounded::read_text(&meta, META_LIMIT_BYTES).map_err(|fault| Failure::unread(&meta, &fault))?;
     let told: Value = serde_json::from_str(&text).map_err(|e| refused(&meta, e.to_string()))?;
@@ -84,9 +84,9 @@ pub fn read(file: &Path, header: &CubeHeader, step: Option<f32>) -> Result<Impor
     };
     let values = values.ok_or_else(|| refused(&data, "ends within a sample".to_owned()))?;
     let global = &told["global"];
-    recording.check_frames(&data, values.len(), Shape::of(&[&global[CHIRPS], &global[SAMPLES]]))?;
-    let cube = |frame: &[Complex32]| recording.cube_of_slots(&recording.apart(frame));
-    Ok(Imported { frames: values.chunks_exact(recording.values()).map(cube).collect(), step })
+    recording.check_frames(&data, values.len(), ShapeSource::of(&[&global[CHIRPS], &global[SAMPLES]]))?;
+    let cube = |frame: &[Complex32]| recording.cube_of_slots(&recording.deinterleaved(frame));
+    Ok(ImportedFrames { frames: values.chunks_exact(recording.values()).map(cube).collect(), step })
 }
 
 /// Refuses missing samples, and files with other data.
@@ -115,7 +115,7 @@ fn check_radar(
     global: &Value,
     meta: &Path,
     header: &CubeHeader,
-    recording: &Recording,
+    recording: &RecordingShape,
 ) -> Result<(), Failure> {
     let channels = match &global["core:num_channels"] {
         Value::Null => 1.into(),
@@ -185,7 +185,7 @@ fn of_integers(bytes: &[u8], step: f32) -> Option<Vec<Complex32>> {
     rest.is_empty().then(|| values.iter().map(|v| Complex32::new(part(v, 0), part(v, 2))).collect())
 }
 
-fn meta(header: &CubeHeader, recording: &Recording, times_s: &[f64]) -> Value {
+fn meta(header: &CubeHeader, recording: &RecordingShape, times_s: &[f64]) -> Value {
     let waveform = &header.radar.waveform;
     let of_a_frame = recording.slots() * recording.samples;
     let frequency_hz = waveform.centre_frequency_hz();

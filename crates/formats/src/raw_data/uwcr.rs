@@ -2,7 +2,7 @@
 //! transmitter]`.
 
 use crate::mat_file::{self, MatError};
-use crate::raw_data::{Imported, IntegerStep, LIMIT_BYTES};
+use crate::raw_data::{ImportedFrames, IntegerStep, LIMIT_BYTES};
 use artifact::bounded;
 use artifact::cube::CubeHeader;
 use num_complex::Complex32;
@@ -28,10 +28,10 @@ pub(crate) fn shape(header: &CubeHeader) -> [usize; 4] {
 ///
 /// # Errors
 /// Files that are not such arrays, or do not have the sizes of the header's radar.
-pub fn read(files: &[PathBuf], header: &CubeHeader) -> Result<Imported, Failure> {
+pub fn read(files: &[PathBuf], header: &CubeHeader) -> Result<ImportedFrames, Failure> {
     let counted = progress::counted("frames", files, files.len());
     let frames: Result<Vec<_>, _> = counted.map(|file| of_file(file, header)).collect();
-    Ok(Imported { frames: frames?, step: IntegerStep::Floats })
+    Ok(ImportedFrames { frames: frames?, step: IntegerStep::Floats })
 }
 
 fn of_file(file: &Path, header: &CubeHeader) -> Result<Vec<Complex32>, Failure> {

@@ -7,7 +7,7 @@
 
 use crate::azimuth_row::sines;
 use crate::npy_stream::NpyStream;
-use crate::plain_name::plain_name;
+use crate::safe_file_name::safe_file_name;
 use crate::sub_frames::of_sub_frames;
 use crate::training_sets::angle_spectrum::{AngleSpectrum, Tensor};
 use crate::training_sets::cell_boxes::{CellBox, cell_box};
@@ -30,7 +30,7 @@ pub fn write(reader: Reader<Rdm>, scene: Option<&Path>, out: &Path) -> Result<()
     let header = reader.header().clone();
     let from = &reader.preamble().provenance;
     let mut truth = scene.map(|file| TruthBoxes::open(file, Some(&header.radar), from)).transpose()?;
-    let name = truth.as_ref().map_or(SEQUENCE.to_owned(), |truth| plain_name(&truth.header().name));
+    let name = truth.as_ref().map_or(SEQUENCE.to_owned(), |truth| safe_file_name(&truth.header().name));
     AngleSpectrum::of(&header.in_frame(0))?; // refuses radars without tensors before the work
     let mut set = SetFolder::begin(out)?;
     let mut annotations = Map::new();

@@ -5,7 +5,7 @@
 
 mod label_error;
 mod sensor_box; // boxes in a sensor's axes
-mod reading; // bodies, faults and what is left out
+mod label_collector; // bodies, faults and what is left out
 mod frame_names; // which labels belong to which frame
 mod kitti;
 mod json_rows; // tables of any length
@@ -17,9 +17,9 @@ use artifact::points::{Points, PointsFrame};
 use artifact::{ArtifactError, Radar, Reader};
 use evaluation::{FrameTruth, LabelledBox};
 use frame_names::FrameNames;
+use label_collector::LabelCollector;
 use pipeline::host::failure::Failure;
 use pipeline::host::progress;
-use reading::Reading;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -45,7 +45,7 @@ impl SetLabels {
         let indices = reader.map(|frame| frame.map(|frame| frame.index));
         let indices = indices.collect::<Result<Vec<u32>, ArtifactError>>()?;
         let names = FrameNames::of(&inputs, indices.len());
-        let mut reading = Reading::of(LevelledAxes::of(&cube.radar));
+        let mut reading = LabelCollector::of(LevelledAxes::of(&cube.radar));
         let work = format!("reading the labels of {}", place.display());
         let frames = progress::during(work, || frames(place, &names, &mut reading))?;
         let tells_bodies = reading.finish(place)?;
@@ -80,7 +80,7 @@ fn without_radar(points: &Path) -> Failure {
 fn frames(
     place: &Path,
     names: &FrameNames,
-    reading: &mut Reading,
+    reading: &mut LabelCollector,
 ) -> Result<Vec<Option<Vec<LabelledBox>>>, Failure> {
     std::fs::metadata(place).map_err(|error| Failure::system(place, "be read", error))?;
     if nuscenes::is_at(place) {

@@ -5,7 +5,7 @@
 
 use crate::levelled_axes::LevelledAxes;
 use crate::radar_cloud::{Detection, pcd};
-use crate::training_sets::nuscenes_tables::{Seen, Tables};
+use crate::training_sets::nuscenes_tables::{AnnotatedBody, Tables};
 use crate::training_sets::opened_points::OpenedPoints;
 use crate::training_sets::radar_of_points::sections_of;
 use crate::training_sets::set_folder::SetFolder;
@@ -40,7 +40,8 @@ pub fn write(file: &Path, scene: Option<&Path>, out: &Path) -> Result<(), Failur
                 .map(|truth| truth.of_frame(frame.index, frame.time_s))
                 .transpose()?
                 .unwrap_or_default();
-            let seen = boxes.into_iter().map(|body| Seen { points: points_in(&body, &frame.points), body });
+            let seen =
+                boxes.into_iter().map(|body| AnnotatedBody { points: points_in(&body, &frame.points), body });
             tables.add(frame.time_s, &file, seen.collect());
             Ok(())
         },

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use std::collections::BTreeMap;
 
 /// A body of a frame.
-pub(crate) struct Seen {
+pub(crate) struct AnnotatedBody {
     pub(crate) body: TruthBox,
     /// Number of points on it.
     pub(crate) points: usize,
@@ -18,7 +18,7 @@ pub(crate) struct Seen {
 struct Frame {
     timestamp: i64,
     file: String,
-    seen: Vec<Seen>,
+    seen: Vec<AnnotatedBody>,
 }
 
 /// Frames that become the tables.
@@ -37,8 +37,8 @@ impl Tables {
     }
 
     /// Appends a frame.
-    pub(crate) fn add(&mut self, time_s: f64, file: &str, seen: Vec<Seen>) {
-        for Seen { body, .. } in &seen {
+    pub(crate) fn add(&mut self, time_s: f64, file: &str, seen: Vec<AnnotatedBody>) {
+        for AnnotatedBody { body, .. } in &seen {
             let (_, frames) = self.instances.entry(body.number).or_insert((body.class, vec![]));
             frames.push(self.frames.len());
         }
@@ -134,7 +134,7 @@ impl Tables {
         self.frames.iter().enumerate().flat_map(of_frame).collect()
     }
 
-    fn annotation(&self, at: usize, Seen { body, points }: &Seen) -> Value {
+    fn annotation(&self, at: usize, AnnotatedBody { body, points }: &AnnotatedBody) -> Value {
         let frames = self.instances.get(&body.number).map_or(&[][..], |(_, frames)| frames);
         let place = frames.partition_point(|frame| *frame < at);
         let of = |place: Option<usize>| {
@@ -222,7 +222,7 @@ mod tests {
         let axes = LevelledAxes { origin_m: glam::DVec3::new(1.0, 0.0, 6.0), yaw_rad: FRAC_PI_2 };
         let mut tables = Tables::of("street", &axes);
         for (frame, there) in [true, false, true].into_iter().enumerate() {
-            let seen = if there { vec![Seen { body: bus(), points: 4 }] } else { vec![] };
+            let seen = if there { vec![AnnotatedBody { body: bus(), points: 4 }] } else { vec![] };
             tables.add(0.1 * frame as f64, "f.pcd", seen);
         }
         let content: BTreeMap<&str, Value> = tables.content().into_iter().collect();

@@ -1,6 +1,6 @@
 //! A run's points with the parts of their scene that cloud datasets need.
 
-use crate::heights::Heights;
+use crate::height_source::HeightSource;
 use crate::levelled_axes::LevelledAxes;
 use crate::training_sets::radar_of_points::radar_of;
 use crate::training_sets::truth_boxes::TruthBoxes;
@@ -14,7 +14,7 @@ use std::path::Path;
 pub(crate) struct OpenedPoints {
     pub(crate) reader: Reader<Points>,
     pub(crate) header: PointsHeader,
-    pub(crate) heights: Heights,
+    pub(crate) heights: HeightSource,
     /// Boxes of the scene.
     pub(crate) truth: Option<TruthBoxes>,
     /// Axes of the points' radar.
@@ -27,7 +27,7 @@ impl OpenedPoints {
     /// # Errors
     /// A file is damaged, the scene is another one, or neither describes a radar.
     pub(crate) fn open(file: &Path, scene: Option<&Path>) -> Result<Self, Failure> {
-        let (reader, heights) = (Reader::<Points>::open(file)?, Heights::of(file)?);
+        let (reader, heights) = (Reader::<Points>::open(file)?, HeightSource::of(file)?);
         let header = reader.header().clone();
         let radar = header.cube.as_ref().map(|cube| &cube.radar);
         let from = &reader.preamble().provenance;

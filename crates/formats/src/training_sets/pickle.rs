@@ -3,7 +3,7 @@
 //! `numpy.array` on lists, which every version of NumPy has under this name.
 
 /// A value of the dictionary.
-pub(crate) enum Pickled {
+pub(crate) enum PickleValue {
     /// A list of words.
     Words(Vec<String>),
     /// An array of float64, row after row.
@@ -11,13 +11,13 @@ pub(crate) enum Pickled {
 }
 
 /// Bytes of a dictionary.
-pub(crate) fn dictionary(entries: &[(&str, Pickled)]) -> Vec<u8> {
+pub(crate) fn dictionary(entries: &[(&str, PickleValue)]) -> Vec<u8> {
     let mut bytes = vec![0x80, 2, b'}', b'('];
     for (key, value) in entries {
         word(&mut bytes, key);
         match value {
-            Pickled::Words(words) => list(&mut bytes, words, |bytes, text| word(bytes, text)),
-            Pickled::Rows(rows) => array(&mut bytes, rows),
+            PickleValue::Words(words) => list(&mut bytes, words, |bytes, text| word(bytes, text)),
+            PickleValue::Rows(rows) => array(&mut bytes, rows),
         }
     }
     bytes.extend(b"u.");
@@ -54,8 +54,8 @@ mod tests {
     /// Read back by Python in `docs/training-sets/check.py`; here the opcodes of the smallest one.
     #[test]
     fn a_dictionary_is_spelt_in_opcodes_of_protocol_2() {
-        let words = Pickled::Words(vec!["car".into()]);
-        let rows = Pickled::Rows(vec![vec![1.0]]);
+        let words = PickleValue::Words(vec!["car".into()]);
+        let rows = PickleValue::Rows(vec![vec![1.0]]);
         let bytes = dictionary(&[("classes", words), ("boxes", rows)]);
         let expected = [
             &b"\x80\x02}(X\x07\0\0\0classes](X\x03\0\0\0careX\x05\0\0\0boxes"[..],

@@ -12,7 +12,7 @@ use crate::npy_stream::NpyStream;
 use crate::sub_frames::of_sub_frames;
 use crate::training_sets::angle_spectrum::{AngleSpectrum, Tensor};
 use crate::training_sets::cell_boxes::{CellBox, cell_box};
-use crate::training_sets::pickle::{Pickled, dictionary};
+use crate::training_sets::pickle::{PickleValue, dictionary};
 use crate::training_sets::set_folder::SetFolder;
 use crate::training_sets::truth_boxes::{TruthBox, TruthBoxes};
 use artifact::cube::CubeHeader;
@@ -83,9 +83,9 @@ fn ground_truth(radar: &Radar, bodies: &[TruthBox]) -> Vec<u8> {
     let boxes = seen.iter().map(|(_, cells)| polar_box(*cells, ranges)).collect();
     let on_ground = seen.iter().map(|(body, _)| ground_box(radar, body)).collect();
     dictionary(&[
-        ("classes", Pickled::Words(classes)),
-        ("boxes", Pickled::Rows(boxes)),
-        ("cart_boxes", Pickled::Rows(on_ground)),
+        ("classes", PickleValue::Words(classes)),
+        ("boxes", PickleValue::Rows(boxes)),
+        ("cart_boxes", PickleValue::Rows(on_ground)),
     ])
 }
 

@@ -2,7 +2,7 @@
 //!
 //! Its own description, `set.json`, is one of its files.
 
-use artifact::whole_file::WholeFolder;
+use artifact::atomic_file::AtomicFolder;
 use artifact::{Reader, Schema};
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
@@ -15,7 +15,7 @@ pub(crate) const DESCRIPTION: &str = "set.json";
 
 /// A folder being filled; dropped before [`Self::finish`], it leaves nothing.
 pub(crate) struct SetFolder {
-    whole: WholeFolder,
+    whole: AtomicFolder,
     /// Number of the current frame.
     frame: Option<u32>,
 }
@@ -26,7 +26,7 @@ impl SetFolder {
     /// # Errors
     /// The folder is not empty, is no folder, or nothing can be written beside it.
     pub(crate) fn begin(out: &Path) -> Result<Self, Failure> {
-        Ok(Self { whole: WholeFolder::create(out)?, frame: None })
+        Ok(Self { whole: AtomicFolder::create(out)?, frame: None })
     }
 
     /// Writes the frames of an artifact, one after the other, and returns their number.
@@ -64,7 +64,7 @@ impl SetFolder {
 
     /// Place of a file while the folder is being filled.
     pub(crate) fn place(&self, name: &str) -> PathBuf {
-        self.whole.filled().join(name)
+        self.whole.path().join(name)
     }
 
     /// Writes a file; creates folders above it.

@@ -10,7 +10,7 @@ use artifact::{Provenance, Radar};
 use glam::{DVec2, DVec3};
 use pipeline::chain::keys::cube_header;
 use pipeline::host::failure::Failure;
-use pipeline::host::frame_matching::{Beside, ROUNDED_TIME_S, SAME_TIME_S, check_poses, check_time};
+use pipeline::host::frame_matching::{FrameMatcher, ROUNDED_TIME_S, SAME_TIME_S, check_poses, check_time};
 use pipeline::host::progress;
 use pipeline::host::provenance_checks;
 use std::collections::BTreeSet;
@@ -80,7 +80,7 @@ fn without_class(header: &SceneHeader) -> Option<String> {
 /// A scene read beside an artifact, as boxes of its frames.
 pub(crate) struct TruthBoxes {
     file: PathBuf,
-    scene: Beside<Scene>,
+    scene: FrameMatcher<Scene>,
     header: SceneHeader,
     /// Whether the frames were made from the same scene file, so that their times must agree.
     is_same: bool,
@@ -94,7 +94,7 @@ impl TruthBoxes {
     /// # Errors
     /// The file is not a scene, its radar is another one, or it was made from other files of the same names.
     pub(crate) fn open(file: &Path, radar: Option<&Radar>, from: &Provenance) -> Result<Self, Failure> {
-        let scene = Beside::<Scene>::open(file, |frame| frame.index)?;
+        let scene = FrameMatcher::<Scene>::open(file, |frame| frame.index)?;
         let is_same = provenance_checks::same_scene(file, scene.provenance(), ("frames", from))?;
         let header = scene.header().clone();
         // Frames do not contain the errors of their radar.

@@ -29,7 +29,7 @@ pub fn write(reader: Reader<Cube>, scene: Option<&Path>, out: &Path) -> Result<(
         |frame| frame.index,
         |set, frame| {
             let shape = shape(&header);
-            let array = mat_file::Array { name: ARRAY, shape, values: &frame.samples };
+            let array = mat_file::ComplexArray { name: ARRAY, shape, values: &frame.samples };
             set.write(&format!("radar_raw_frame/{:06}.mat", frame.index), &array.to_bytes())?;
             if let Some(truth) = &mut truth {
                 let rows: String = truth

@@ -4,12 +4,12 @@
 #[path = "../../../scene/tests/glb_file/mod.rs"]
 pub(crate) mod glb_file;
 
-use fuzzing::{Noise, change_json, change_numbers};
+use fuzzing::{FuzzRng, mutate_json, mutate_word32};
 use glb_file::{GlbFile, floats};
 use serde_json::{Value, json};
 
 /// Sound files that reach every branch of the reader.
-pub(crate) fn sound() -> Vec<GlbFile> {
+pub(crate) fn corpus() -> Vec<GlbFile> {
     let plain = GlbFile::tetrahedron();
     let nodes = json!([
         { "children": [1, 2], "translation": [1, 2, 3] },
@@ -50,23 +50,23 @@ pub(crate) fn sound() -> Vec<GlbFile> {
 }
 
 /// A binary file, changed.
-pub(crate) fn binary(noise: &mut Noise) -> Vec<u8> {
-    let mut file = any(noise);
-    for _ in 0..noise.below(4) {
-        change_json(noise, &mut file.json, &WORDS, strange);
+pub(crate) fn binary(rng: &mut FuzzRng) -> Vec<u8> {
+    let mut file = any(rng);
+    for _ in 0..rng.below(4) {
+        mutate_json(rng, &mut file.json, &WORDS, strange);
     }
-    for _ in 0..noise.below(3) {
-        change_numbers(noise, &mut file.binary);
+    for _ in 0..rng.below(3) {
+        mutate_word32(rng, &mut file.binary);
     }
     let mut bytes = file.bytes();
-    if noise.one_in(4) {
-        change_chunks(noise, &mut bytes);
+    if rng.one_in(4) {
+        change_chunks(rng, &mut bytes);
     }
     bytes
 }
 
 /// The JSON of a file whose buffer lies beside it as `b.bin`, in its JSON, or nowhere; and that buffer.
-pub(crate) fn beside(noise: &mut Noise) -> (Vec<u8>, Vec<u8>) {
+pub(crate) fn beside(rng: &mut FuzzRng) -> (Vec<u8>, Vec<u8>) {
     const URIS: [&str; 10] = [
         "b.bin",
         "./b.bin",
@@ -79,22 +79,22 @@ pub(crate) fn beside(noise: &mut Noise) -> (Vec<u8>, Vec<u8>) {
         "http://example.invalid/b.bin",
         ".",
     ];
-    let mut file = any(noise);
-    let uri = if noise.one_in(3) { noise.pick(&URIS) } else { "b.bin" };
+    let mut file = any(rng);
+    let uri = if rng.one_in(3) { rng.choose(&URIS) } else { "b.bin" };
     file.json["buffers"][0]["uri"] = json!(uri);
-    for _ in 0..=noise.below(3) {
-        change_json(noise, &mut file.json, &WORDS, strange);
+    for _ in 0..=rng.below(3) {
+        mutate_json(rng, &mut file.json, &WORDS, strange);
     }
-    if noise.one_in(3) {
-        change_numbers(noise, &mut file.binary);
-        file.binary.truncate(noise.below(2 * file.binary.len()));
+    if rng.one_in(3) {
+        mutate_word32(rng, &mut file.binary);
+        file.binary.truncate(rng.below(2 * file.binary.len()));
     }
     (serde_json::to_vec(&file.json).unwrap(), file.binary)
 }
 
-fn any(noise: &mut Noise) -> GlbFile {
-    let files = sound();
-    files[noise.below(files.len())].clone()
+fn any(rng: &mut FuzzRng) -> GlbFile {
+    let files = corpus();
+    files[rng.below(files.len())].clone()
 }
 
 const WORDS: [&str; 14] = [
@@ -114,18 +114,18 @@ const WORDS: [&str; 14] = [
     "normalized",
 ];
 
-fn strange(noise: &mut Noise) -> Value {
-    let small = noise.below(12);
-    match noise.below(12) {
+fn strange(rng: &mut FuzzRng) -> Value {
+    let small = rng.below(12);
+    match rng.below(12) {
         0..=3 => json!(small),
         4 => json!(5120 + small),
-        5 => serde_json::from_str(&noise.number()).unwrap_or(Value::Null),
-        6 => (0..noise.times().min(100)).fold(json!(small), |inner, _| json!([inner])),
+        5 => serde_json::from_str(&rng.number_text()).unwrap_or(Value::Null),
+        6 => (0..rng.repeat_count().min(100)).fold(json!(small), |inner, _| json!([inner])),
         7 => json!([small, small, small]),
         8 => json!({ "POSITION": small, "NORMAL": small }),
-        9 => json!("x".repeat(noise.times())),
+        9 => json!("x".repeat(rng.repeat_count())),
         10 => json!([u32::MAX, -1, 1e300, null]),
-        _ => json!(noise.pick(&[
+        _ => json!(rng.choose(&[
             "VEC3",
             "SCALAR",
             "MAT4",
@@ -137,18 +137,18 @@ fn strange(noise: &mut Noise) -> Value {
 }
 
 /// Lengths, kinds, order and number of the chunks.
-fn change_chunks(noise: &mut Noise, bytes: &mut Vec<u8>) {
+fn change_chunks(rng: &mut FuzzRng, bytes: &mut Vec<u8>) {
     let json_bytes = u32::from_le_bytes([bytes[12], bytes[13], bytes[14], bytes[15]]) as usize;
     let heads = [4, 8, 12, 16, 20 + json_bytes, 24 + json_bytes];
-    let head = heads[noise.below(heads.len())];
-    match noise.below(4) {
-        0 => bytes.truncate(noise.below(bytes.len())),
+    let head = heads[rng.below(heads.len())];
+    match rng.below(4) {
+        0 => bytes.truncate(rng.below(bytes.len())),
         1 => bytes.extend_from_within(20 + json_bytes..),
         2 => bytes[12..].rotate_left(8 + json_bytes),
         _ => {
             let known = u32::from_le_bytes([bytes[head], bytes[head + 1], bytes[head + 2], bytes[head + 3]]);
-            let near = known.wrapping_add(noise.below(9) as u32).wrapping_sub(4);
-            let word = [near, u32::MAX, 0, noise.next() as u32][noise.below(4)];
+            let near = known.wrapping_add(rng.below(9) as u32).wrapping_sub(4);
+            let word = [near, u32::MAX, 0, rng.next_u64() as u32][rng.below(4)];
             bytes[head..head + 4].copy_from_slice(&word.to_le_bytes());
         }
     }

@@ -7,7 +7,7 @@
 mod gltf;
 mod openmaterial;
 mod readers;
-mod sound;
+mod corpus;
 
 #[test]
 fn files_of_changed_structure_are_read_or_refused_with_a_sentence() {

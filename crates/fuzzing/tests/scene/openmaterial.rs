@@ -1,30 +1,30 @@
 //! Fuzzed assets and materials of OpenMATERIAL 3D, changed by their structure.
 
 use crate::gltf::glb_file::GlbFile;
-use fuzzing::{Noise, change_json, changed_text};
+use fuzzing::{FuzzRng, mutate_json, mutate_text};
 use serde_json::{Value, json};
 use std::path::Path;
 
 /// Writes an asset with all that it leads to, some of it changed.
-pub(crate) fn write(noise: &mut Noise, folder: &Path) {
+pub(crate) fn write(rng: &mut FuzzRng, folder: &Path) {
     std::fs::write(folder.join("o.glb"), GlbFile::tetrahedron().bytes()).unwrap();
-    let mut files = sound();
-    for _ in 0..noise.below(4) {
-        let at = noise.below(files.len());
-        change_json(noise, &mut files[at].1, &WORDS, strange);
+    let mut files = corpus();
+    for _ in 0..rng.below(4) {
+        let at = rng.below(files.len());
+        mutate_json(rng, &mut files[at].1, &WORDS, strange);
     }
-    let damaged = noise.one_in(4).then(|| noise.below(files.len()));
+    let damaged = rng.one_in(4).then(|| rng.below(files.len()));
     for (i, (name, value)) in files.iter().enumerate() {
         let mut bytes = serde_json::to_vec(value).unwrap();
         if damaged == Some(i) {
-            bytes = changed_text(noise, &bytes, &crate::sound::words());
+            bytes = mutate_text(rng, &bytes, &crate::corpus::words());
         }
         std::fs::write(folder.join(name), bytes).unwrap();
     }
 }
 
 /// Files that reach every branch of the reader.
-fn sound() -> Vec<(&'static str, Value)> {
+fn corpus() -> Vec<(&'static str, Value)> {
     let whole = |mut value: Value| {
         value["metadata"] = json!({ "name": "o", "openMaterial3dVersion": "1.1.0" });
         value
@@ -67,16 +67,16 @@ const WORDS: [&str; 12] = [
     "electromagneticProperties",
 ];
 
-fn strange(noise: &mut Noise) -> Value {
-    let small = noise.below(12);
-    match noise.below(10) {
+fn strange(rng: &mut FuzzRng) -> Value {
+    let small = rng.below(12);
+    match rng.below(10) {
         0..=2 => json!(1e-3 * small as f64),
-        3 => serde_json::from_str(&noise.number()).unwrap_or(Value::Null),
-        4 => (0..noise.times().min(200)).fold(json!(small), |inner, _| json!([inner])),
+        3 => serde_json::from_str(&rng.number_text()).unwrap_or(Value::Null),
+        4 => (0..rng.repeat_count().min(200)).fold(json!(small), |inner, _| json!([inner])),
         5 => json!([small, null, -1, 1e300, 1e-300, 5, 1e308]),
-        6 => json!("x".repeat(noise.times())),
+        6 => json!("x".repeat(rng.repeat_count())),
         7 => json!(["paint", "glass"]),
-        _ => json!(noise.pick(&[
+        _ => json!(rng.choose(&[
             "o.xomm",
             "g.xomp",
             "g_emp.xompt",

@@ -1,11 +1,11 @@
 //! The readers of this crate: how a case of each is made, and how it is read.
 
+use crate::corpus;
 use crate::gltf;
 use crate::openmaterial;
-use crate::sound;
 use flate2::Compression;
 use flate2::write::GzEncoder;
-use fuzzing::{Noise, Reader, change_numbers, changed_text};
+use fuzzing::{FuzzRng, Reader, mutate_text, mutate_word32};
 use scene::{MeshOptions, ReadOptions};
 use std::io::Write as _;
 use std::path::Path;
@@ -14,33 +14,33 @@ pub(crate) const READERS: [Reader; 13] = [
     Reader::refusing("glb", 400, |n, at| put(at, "m.glb", &gltf::binary(n)), |at| mesh(at, "m.glb")),
     Reader::refusing("gltf", 400, write_gltf, |at| mesh(at, "m.gltf")),
     Reader::refusing("stl", 400, write_stl, |at| mesh(at, "m.stl")),
-    Reader::refusing("stl-text", 400, |n, at| text(n, at, "m.stl", sound::STL), |at| mesh(at, "m.stl")),
-    Reader::refusing("obj", 400, |n, at| text(n, at, "m.obj", sound::OBJ), |at| mesh(at, "m.obj")),
+    Reader::refusing("stl-text", 400, |n, at| text(n, at, "m.stl", corpus::STL), |at| mesh(at, "m.stl")),
+    Reader::refusing("obj", 400, |n, at| text(n, at, "m.obj", corpus::OBJ), |at| mesh(at, "m.obj")),
     Reader::refusing("scene-text", 150, write_scene, |at| whole_scene(at, "s.toml")),
-    Reader::refusing("materials", 400, |n, at| text(n, at, "m.toml", sound::MATERIALS), materials),
+    Reader::refusing("materials", 400, |n, at| text(n, at, "m.toml", corpus::MATERIALS), materials),
     Reader::refusing("openmaterial", 400, openmaterial::write, |at| whole_scene(at, "openmaterial.toml")),
     Reader::refusing(
         "pattern",
         400,
-        |n, at| text(n, at, "p.csv", sound::PATTERN),
+        |n, at| text(n, at, "p.csv", corpus::PATTERN),
         |at| whole_scene(at, "pattern.toml"),
     ),
     Reader::refusing(
         "calibration",
         400,
-        |n, at| text(n, at, "c.csv", sound::CALIBRATION),
+        |n, at| text(n, at, "c.csv", corpus::CALIBRATION),
         |at| whole_scene(at, "calibration.toml"),
     ),
     Reader::refusing(
         "fcd",
         400,
-        |n, at| text(n, at, "t.fcd.xml", sound::FCD),
+        |n, at| text(n, at, "t.fcd.xml", corpus::FCD),
         |at| whole_scene(at, "traffic.toml"),
     ),
     Reader::refusing(
         "net",
         400,
-        |n, at| text(n, at, "t.net.xml", sound::NET),
+        |n, at| text(n, at, "t.net.xml", corpus::NET),
         |at| whole_scene(at, "network.toml"),
     ),
     Reader::refusing("fcd-gzip", 400, write_packed, |at| whole_scene(at, "traffic.toml")),
@@ -51,7 +51,7 @@ const CARRIER_HZ: f64 = 77e9;
 
 /// Writes the files that every case finds in its folder.
 pub(crate) fn prepare(folder: &Path) {
-    for (name, text) in sound::FILES {
+    for (name, text) in corpus::FILES {
         put(folder, name, text.as_bytes());
     }
 }
@@ -60,66 +60,66 @@ fn put(folder: &Path, name: &str, bytes: &[u8]) {
     std::fs::write(folder.join(name), bytes).unwrap();
 }
 
-fn text(noise: &mut Noise, folder: &Path, name: &str, sound: &[&str]) {
-    let whole = noise.pick(sound);
-    put(folder, name, &changed_text(noise, whole.as_bytes(), &sound::words()));
+fn text(rng: &mut FuzzRng, folder: &Path, name: &str, sound: &[&str]) {
+    let whole = rng.choose(sound);
+    put(folder, name, &mutate_text(rng, whole.as_bytes(), &corpus::words()));
 }
 
-fn write_gltf(noise: &mut Noise, folder: &Path) {
-    let (mut json, buffer) = gltf::beside(noise);
-    if noise.one_in(4) {
-        json = changed_text(noise, &json, &sound::words());
+fn write_gltf(rng: &mut FuzzRng, folder: &Path) {
+    let (mut json, buffer) = gltf::beside(rng);
+    if rng.one_in(4) {
+        json = mutate_text(rng, &json, &corpus::words());
     }
     put(folder, "m.gltf", &json);
     put(folder, "b.bin", &buffer);
 }
 
 /// Header, count, facets; the count and any number of a facet changed, the end cut off or more behind it.
-fn write_stl(noise: &mut Noise, folder: &Path) {
-    let facets = 1 + noise.below(20);
+fn write_stl(rng: &mut FuzzRng, folder: &Path) {
+    let facets = 1 + rng.below(20);
     let number = |i: usize| (((i * 2_654_435_761) % 1000) as f32 / 100.0).to_le_bytes();
     let facet =
         |f: usize| [(0..12).flat_map(|i| number(12 * f + i)).collect::<Vec<u8>>(), vec![0; 2]].concat();
-    let head = if noise.one_in(4) { b"solid " } else { b"binary" };
+    let head = if rng.one_in(4) { b"solid " } else { b"binary" };
     let mut bytes = [&head[..], &[0; 74]].concat();
-    let count = if noise.one_in(3) { noise.next() as u32 >> noise.below(32) } else { facets as u32 };
+    let count = if rng.one_in(3) { rng.next_u64() as u32 >> rng.below(32) } else { facets as u32 };
     bytes.extend(count.to_le_bytes());
     bytes.extend((0..facets).flat_map(facet));
-    for _ in 0..noise.below(3) {
-        change_numbers(noise, &mut bytes[84..]);
+    for _ in 0..rng.below(3) {
+        mutate_word32(rng, &mut bytes[84..]);
     }
-    if noise.one_in(3) {
-        bytes.truncate(noise.below(bytes.len()));
+    if rng.one_in(3) {
+        bytes.truncate(rng.below(bytes.len()));
     }
     put(folder, "m.stl", &bytes);
 }
 
-fn write_packed(noise: &mut Noise, folder: &Path) {
+fn write_packed(rng: &mut FuzzRng, folder: &Path) {
     let pack = |text: &[u8]| {
         let mut packer = GzEncoder::new(vec![], Compression::fast());
         packer.write_all(text).unwrap();
         packer.finish().unwrap()
     };
-    let whole = noise.pick(sound::FCD).as_bytes();
-    let (first, second) = whole.split_at(noise.below(whole.len()));
-    let mut bytes = match noise.below(3) {
+    let whole = rng.choose(corpus::FCD).as_bytes();
+    let (first, second) = whole.split_at(rng.below(whole.len()));
+    let mut bytes = match rng.below(3) {
         0 => [pack(first), pack(second)].concat(),
-        1 => pack(&[first, &b" ".repeat(noise.times() << 11), second].concat()),
-        _ => pack(&changed_text(noise, whole, &sound::words())),
+        1 => pack(&[first, &b" ".repeat(rng.repeat_count() << 11), second].concat()),
+        _ => pack(&mutate_text(rng, whole, &corpus::words())),
     };
-    for _ in 0..noise.below(3) {
-        let at = if noise.one_in(2) { noise.below(bytes.len().min(12)) } else { noise.below(bytes.len()) };
-        bytes[at] ^= 1 << noise.below(8);
+    for _ in 0..rng.below(3) {
+        let at = if rng.one_in(2) { rng.below(bytes.len().min(12)) } else { rng.below(bytes.len()) };
+        bytes[at] ^= 1 << rng.below(8);
     }
     put(folder, "t.fcd.xml", &bytes);
 }
 
 /// Writes a changed scene with names of keys, so that it breaks rules behind those of its syntax.
-fn write_scene(noise: &mut Noise, folder: &Path) {
+fn write_scene(rng: &mut FuzzRng, folder: &Path) {
     let keys: Vec<&str> = scene::keys::TABLES.iter().flat_map(scene::keys::Table::names).collect();
-    let words: Vec<&str> = keys.into_iter().chain(sound::words()).collect();
-    let whole = noise.pick(sound::SCENES);
-    put(folder, "s.toml", &changed_text(noise, whole.as_bytes(), &words));
+    let words: Vec<&str> = keys.into_iter().chain(corpus::words()).collect();
+    let whole = rng.choose(corpus::SCENES);
+    put(folder, "s.toml", &mutate_text(rng, whole.as_bytes(), &words));
 }
 
 fn mesh(folder: &Path, name: &str) -> Result<(), String> {

@@ -1,8 +1,8 @@
 //! Artifacts of every kind, and the commands that read them.
 
-use crate::commands::{note, noted_of_content};
-use crate::envelope::{Envelope, crafted};
-use crate::sound;
+use crate::commands::{run_scheduled_on_content, schedule};
+use crate::corpus;
+use crate::envelope::{Envelope, mutated_artifact};
 use artifact::Schema;
 use artifact::classes::{Classes, ClassesFrame, ClassesHeader};
 use artifact::cube::Cube;
@@ -15,53 +15,53 @@ use artifact::rdm::Rdm;
 use artifact::scene::Scene;
 use artifact::settings::Class;
 use artifact::tracks::Tracks;
-use fuzzing::{Noise, Reader};
+use fuzzing::{FuzzRng, Reader};
 use std::path::{Path, PathBuf};
 
 pub(crate) fn readers() -> Vec<Reader> {
     vec![
-        of::<Scene>(60),
-        of::<Paths>(60),
-        of::<Rcs>(60),
-        of::<Cube>(60),
-        of::<Rdm>(60),
-        of::<Points>(60),
-        of::<Tracks>(60),
-        of::<Dataset>(60),
-        of::<Model>(60),
-        of::<Classes>(60),
+        reader::<Scene>(60),
+        reader::<Paths>(60),
+        reader::<Rcs>(60),
+        reader::<Cube>(60),
+        reader::<Rdm>(60),
+        reader::<Points>(60),
+        reader::<Tracks>(60),
+        reader::<Dataset>(60),
+        reader::<Model>(60),
+        reader::<Classes>(60),
     ]
 }
 
 /// A kind of artifact with the commands that read it: `@F` is the changed one.
-trait Kind: Schema {
+trait ArtifactKind: Schema {
     const COMMANDS: &'static [&'static str];
 
     /// Sound ones, of which one is changed.
-    fn sound(folder: &Path) -> Vec<PathBuf>;
+    fn corpus(folder: &Path) -> Vec<PathBuf>;
 }
 
-fn of<K: Kind>(cases: u64) -> Reader {
-    Reader::refusing(K::NAME, cases, write::<K>, noted_of_content)
+fn reader<K: ArtifactKind>(cases: u64) -> Reader {
+    Reader::refusing(K::NAME, cases, write::<K>, run_scheduled_on_content)
 }
 
-fn write<K: Kind>(noise: &mut Noise, folder: &Path) {
-    let sound = K::sound(folder);
-    let whole = std::fs::read(&sound[noise.below(sound.len())]).unwrap();
+fn write<K: ArtifactKind>(rng: &mut FuzzRng, folder: &Path) {
+    let sound = K::corpus(folder);
+    let whole = std::fs::read(&sound[rng.below(sound.len())]).unwrap();
     // In a folder of its own: some commands read all that a folder holds.
     let file = format!("f/shard-0000.{}", K::NAME);
     std::fs::create_dir(folder.join("f")).unwrap();
-    std::fs::write(folder.join(&file), crafted::<K>(noise, &whole)).unwrap();
-    note(folder, &noise.pick(K::COMMANDS).replace("@F", &format!("@{file}")));
+    std::fs::write(folder.join(&file), mutated_artifact::<K>(rng, &whole)).unwrap();
+    schedule(folder, &rng.choose(K::COMMANDS).replace("@F", &format!("@{file}")));
     // Whatever the command reads beside it.
-    sound::of_run(folder, "frames.points");
-    sound::profile(folder);
-    sound::trees(folder);
-    sound::network(folder);
-    sound::dataset(folder);
+    corpus::of_run(folder, "frames.points");
+    corpus::profile(folder);
+    corpus::trees(folder);
+    corpus::network(folder);
+    corpus::dataset(folder);
 }
 
-impl Kind for Scene {
+impl ArtifactKind for Scene {
     const COMMANDS: &'static [&'static str] = &[
         "inspect @F",
         "export @F --to json --out @O",
@@ -70,12 +70,12 @@ impl Kind for Scene {
         "score @sound/run/frames.points --scene @F --paths @sound/run/frames.paths",
     ];
 
-    fn sound(folder: &Path) -> Vec<PathBuf> {
-        vec![sound::of_run(folder, "scene.scene")]
+    fn corpus(folder: &Path) -> Vec<PathBuf> {
+        vec![corpus::of_run(folder, "scene.scene")]
     }
 }
 
-impl Kind for Paths {
+impl ArtifactKind for Paths {
     const COMMANDS: &'static [&'static str] = &[
         "inspect @F",
         "export @F --to csv --out @O",
@@ -84,21 +84,21 @@ impl Kind for Paths {
         "score @sound/run/frames.points --scene @sound/run/scene.scene --paths @F",
     ];
 
-    fn sound(folder: &Path) -> Vec<PathBuf> {
-        vec![sound::of_run(folder, "frames.paths")]
+    fn corpus(folder: &Path) -> Vec<PathBuf> {
+        vec![corpus::of_run(folder, "frames.paths")]
     }
 }
 
-impl Kind for Rcs {
+impl ArtifactKind for Rcs {
     const COMMANDS: &'static [&'static str] =
         &["inspect @F", "export @F --to npy --out @O.npy", "export @F --to json --out @O"];
 
-    fn sound(folder: &Path) -> Vec<PathBuf> {
-        vec![sound::of_run(folder, "frames.rcs")]
+    fn corpus(folder: &Path) -> Vec<PathBuf> {
+        vec![corpus::of_run(folder, "frames.rcs")]
     }
 }
 
-impl Kind for Cube {
+impl ArtifactKind for Cube {
     const COMMANDS: &'static [&'static str] = &[
         "inspect @F",
         "dsp @F --out @O",
@@ -110,12 +110,12 @@ impl Kind for Cube {
         "calibrate @F --at-m=2,15,1 --out @O.csv",
     ];
 
-    fn sound(folder: &Path) -> Vec<PathBuf> {
-        vec![sound::of_run(folder, "frames.cube")]
+    fn corpus(folder: &Path) -> Vec<PathBuf> {
+        vec![corpus::of_run(folder, "frames.cube")]
     }
 }
 
-impl Kind for Rdm {
+impl ArtifactKind for Rdm {
     const COMMANDS: &'static [&'static str] = &[
         "inspect @F",
         "export @F --to npy --out @O.npy",
@@ -129,12 +129,12 @@ impl Kind for Rdm {
         "classify @sound/network.model @F",
     ];
 
-    fn sound(folder: &Path) -> Vec<PathBuf> {
-        vec![sound::of_run(folder, "frames.rdm")]
+    fn corpus(folder: &Path) -> Vec<PathBuf> {
+        vec![corpus::of_run(folder, "frames.rdm")]
     }
 }
 
-impl Kind for Points {
+impl ArtifactKind for Points {
     const COMMANDS: &'static [&'static str] = &[
         "inspect @F",
         "export @F --to csv --out @O",
@@ -148,12 +148,12 @@ impl Kind for Points {
          @sound/run/frames.tracks",
     ];
 
-    fn sound(folder: &Path) -> Vec<PathBuf> {
-        vec![sound::of_run(folder, "frames.points")]
+    fn corpus(folder: &Path) -> Vec<PathBuf> {
+        vec![corpus::of_run(folder, "frames.points")]
     }
 }
 
-impl Kind for Tracks {
+impl ArtifactKind for Tracks {
     const COMMANDS: &'static [&'static str] = &[
         "inspect @F",
         "export @F --to csv --out @O",
@@ -161,12 +161,12 @@ impl Kind for Tracks {
         "score @sound/run/frames.points --scene @sound/run/scene.scene --tracks @F",
     ];
 
-    fn sound(folder: &Path) -> Vec<PathBuf> {
-        vec![sound::of_run(folder, "frames.tracks")]
+    fn corpus(folder: &Path) -> Vec<PathBuf> {
+        vec![corpus::of_run(folder, "frames.tracks")]
     }
 }
 
-impl Kind for Dataset {
+impl ArtifactKind for Dataset {
     const COMMANDS: &'static [&'static str] = &[
         "inspect @F",
         "export @F --to csv --out @O",
@@ -183,12 +183,12 @@ impl Kind for Dataset {
         "protocols @f --learner trees --seeds 1",
     ];
 
-    fn sound(folder: &Path) -> Vec<PathBuf> {
-        vec![sound::dataset(folder)]
+    fn corpus(folder: &Path) -> Vec<PathBuf> {
+        vec![corpus::dataset(folder)]
     }
 }
 
-impl Kind for Model {
+impl ArtifactKind for Model {
     const COMMANDS: &'static [&'static str] = &[
         "inspect @F",
         "export @F --to json --out @O",
@@ -199,20 +199,20 @@ impl Kind for Model {
         "run @sound/small.toml --no-cache --classifier @F --dry-run",
     ];
 
-    fn sound(folder: &Path) -> Vec<PathBuf> {
-        vec![sound::profile(folder), sound::trees(folder), sound::network(folder)]
+    fn corpus(folder: &Path) -> Vec<PathBuf> {
+        vec![corpus::profile(folder), corpus::trees(folder), corpus::network(folder)]
     }
 }
 
-impl Kind for Classes {
+impl ArtifactKind for Classes {
     const COMMANDS: &'static [&'static str] = &["inspect @F", "export @F --to json --out @O"];
 
-    fn sound(folder: &Path) -> Vec<PathBuf> {
-        vec![sound::place(folder, "c.classes", |at| {
+    fn corpus(folder: &Path) -> Vec<PathBuf> {
+        vec![corpus::place(folder, "c.classes", |at| {
             let header = ClassesHeader { classes: Class::ALL.to_vec() };
             let frame = ClassesFrame { probabilities: vec![[0.1, 0.2, 0.3, 0.4]; 3] };
             let envelope = Envelope::new::<Classes>(&header, &[frame]);
-            std::fs::write(at.join("sound/c.classes"), envelope.sealed()).unwrap();
+            std::fs::write(at.join("sound/c.classes"), envelope.to_file_bytes()).unwrap();
         })]
     }
 }

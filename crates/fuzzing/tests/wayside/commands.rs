@@ -7,14 +7,14 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use wayside::host::failure::Failure;
 use wayside::host::memory::Allowance;
 use wayside::program::cli::Command;
+use wayside::program::command_context::CommandContext;
 use wayside::program::commands::dispatch;
-use wayside::program::means::Means;
 use wayside::program::terminal;
-use wayside::report::Making;
+use wayside::report::ReportOrigin;
 
-/// Words of the program without those that all commands have.
+/// Command line of the program without those that all commands have.
 #[derive(Debug, Parser)]
-struct Words {
+struct CommandLine {
     #[command(subcommand)]
     command: Command,
 }
@@ -46,7 +46,7 @@ pub(crate) fn put(folder: &Path, name: &str, bytes: &[u8]) {
 }
 
 /// Carries out a command: `@NAME` is a file of the folder, `@O` the place of the case's results.
-pub(crate) fn carry_out(folder: &Path, words: &str) -> Result<(), Failure> {
+pub(crate) fn execute(folder: &Path, words: &str) -> Result<(), Failure> {
     let word = |word: &str| -> OsString {
         let Some((before, name)) = word.split_once('@') else { return word.into() };
         let place = match name.strip_prefix('O') {
@@ -58,27 +58,28 @@ pub(crate) fn carry_out(folder: &Path, words: &str) -> Result<(), Failure> {
     terminal::mute();
     let command = words.split_whitespace().next().unwrap_or_default().to_owned();
     let words = ["wayside".into()].into_iter().chain(words.split_whitespace().map(word));
-    let words = Words::try_parse_from(words).unwrap_or_else(|error| panic!("{error}"));
-    let means = Means { command, memory: Allowance::of(Some(1024)), making: Making::default() };
-    dispatch(words.command, &means)
+    let words = CommandLine::try_parse_from(words).unwrap_or_else(|error| panic!("{error}"));
+    let context =
+        CommandContext { command, memory: Allowance::of(Some(1024)), origin: ReportOrigin::default() };
+    dispatch(words.command, &context)
 }
 
-/// Carries out one of these commands when the case is read.
-pub(crate) fn note(folder: &Path, words: &str) {
+/// Has a command carried out when the case is read.
+pub(crate) fn schedule(folder: &Path, words: &str) {
     std::fs::write(folder.join("words"), words).unwrap();
 }
 
-/// Carries out what was noted.
-pub(crate) fn noted(folder: &Path) -> Result<(), String> {
+/// Carries out what was scheduled.
+pub(crate) fn run_scheduled(folder: &Path) -> Result<(), String> {
     let words = std::fs::read_to_string(folder.join("words")).unwrap();
-    carry_out(folder, &words).map_err(|failure| failure.to_string())
+    execute(folder, &words).map_err(|failure| failure.to_string())
 }
 
-/// Carries out what was noted, where the content of a file alone can be at fault, or names of results that it
-/// asks for twice.
-pub(crate) fn noted_of_content(folder: &Path) -> Result<(), String> {
+/// Carries out what was scheduled, where the content of a file alone can be at fault, or names of results
+/// that it asks for twice.
+pub(crate) fn run_scheduled_on_content(folder: &Path) -> Result<(), String> {
     let words = std::fs::read_to_string(folder.join("words")).unwrap();
-    carry_out(folder, &words).map_err(|failure| {
+    execute(folder, &words).map_err(|failure| {
         // As it is told, not as it is held: what is too long is left out where it is told.
         let sentence = failure.to_string();
         match failure {

@@ -4,19 +4,19 @@
 #[allow(dead_code, reason = "tests of meshes change it, these take it as it is")]
 mod glb_file;
 
-use crate::commands::{note, noted, put};
-use crate::sound::{self, RECIPE, STUDY};
-use fuzzing::{Noise, Reader, change_json_like, changed_text, with_signs};
+use crate::commands::{put, run_scheduled, schedule};
+use crate::corpus::{self, RECIPE, STUDY};
+use fuzzing::{FuzzRng, Reader, mutate_json_keeping_types, mutate_text, with_toml_punctuation};
 use glb_file::GlbFile;
 use serde_json::Value;
 use std::path::Path;
 
 pub(crate) fn readers() -> Vec<Reader> {
     vec![
-        Reader::refusing("study", 100, write_study, noted),
-        Reader::refusing("recipe", 200, write_recipe, noted),
-        Reader::refusing("manifest", 200, write_manifest, noted),
-        Reader::refusing("attributions", 4, write_attributions, noted),
+        Reader::refusing("study", 100, write_study, run_scheduled),
+        Reader::refusing("recipe", 200, write_recipe, run_scheduled),
+        Reader::refusing("manifest", 200, write_manifest, run_scheduled),
+        Reader::refusing("attributions", 4, write_attributions, run_scheduled),
     ]
 }
 
@@ -75,21 +75,21 @@ const WORDS: [&str; 32] = [
     "\"f\"",
 ];
 
-fn write_study(noise: &mut Noise, folder: &Path) {
-    sound::texts(folder);
-    let whole = noise.pick(&STUDIES);
-    put(folder, "study.toml", &changed_toml(noise, whole));
-    note(folder, &format!("sweep @study.toml --out @O --no-cache {LAST_PART}"));
+fn write_study(rng: &mut FuzzRng, folder: &Path) {
+    corpus::texts(folder);
+    let whole = rng.choose(&STUDIES);
+    put(folder, "study.toml", &changed_toml(rng, whole));
+    schedule(folder, &format!("sweep @study.toml --out @O --no-cache {LAST_PART}"));
 }
 
 /// A document changed by its values, which leaves its syntax right, or by its words.
-fn changed_toml(noise: &mut Noise, text: &str) -> Vec<u8> {
-    if noise.one_in(2) {
-        return changed_text(noise, text.as_bytes(), &with_signs(&WORDS));
+fn changed_toml(rng: &mut FuzzRng, text: &str) -> Vec<u8> {
+    if rng.one_in(2) {
+        return mutate_text(rng, text.as_bytes(), &with_toml_punctuation(&WORDS));
     }
     let mut value: Value = toml::from_str(text).unwrap();
-    for _ in 0..=noise.below(2) {
-        change_json_like(noise, &mut value);
+    for _ in 0..=rng.below(2) {
+        mutate_json_keeping_types(rng, &mut value);
     }
     let keys = value.as_object().cloned().unwrap_or_default();
     keys.iter().map(|(key, value)| format!("{key} = {}\n", inline(value))).collect::<String>().into_bytes()
@@ -121,35 +121,35 @@ const RECIPES: [&str; 2] = [
      [models]\nmotorcycle = [\"motorcycle-street\"]\ncar = [\"sound/plate.obj\"]\ntruck = [\"f\"]\n",
 ];
 
-fn write_recipe(noise: &mut Noise, folder: &Path) {
-    sound::texts(folder);
+fn write_recipe(rng: &mut FuzzRng, folder: &Path) {
+    corpus::texts(folder);
     std::fs::create_dir(folder.join("f")).unwrap();
     put(folder, "f/a.glb", &GlbFile::tetrahedron().bytes());
-    let whole = noise.pick(&RECIPES);
-    put(folder, "spec.toml", &changed_toml(noise, whole));
-    note(folder, &format!("dataset @spec.toml --out @O {LAST_PART}"));
+    let whole = rng.choose(&RECIPES);
+    put(folder, "spec.toml", &changed_toml(rng, whole));
+    schedule(folder, &format!("dataset @spec.toml --out @O {LAST_PART}"));
 }
 
 const MANIFEST: &str = "# vehicles\n[[vehicle]]\nname = \"a\"\nclass = \"car\"\nlength_m = 4.5\n\
 [[vehicle]]\nname = \"b\"\nclass = \"motorcycle\"\n[[vehicle]]\nname = \"c\"\nclass = \"truck\"\n\
 source = \"own\"\n";
 
-fn write_manifest(noise: &mut Noise, folder: &Path) {
-    sound::texts(folder);
+fn write_manifest(rng: &mut FuzzRng, folder: &Path) {
+    corpus::texts(folder);
     std::fs::create_dir(folder.join("v")).unwrap();
     for name in ["a", "b", "c"] {
         put(folder, &format!("v/{name}.glb"), &GlbFile::tetrahedron().bytes());
     }
     let words =
         ["[[vehicle]]", "name", "class", "\"car\"", "\"bus\"", "\"../v/a\"", "\"\"", "\"a\"", "=", "[", "]"];
-    put(folder, "v/manifest.toml", &changed_text(noise, MANIFEST.as_bytes(), &words));
+    put(folder, "v/manifest.toml", &mutate_text(rng, MANIFEST.as_bytes(), &words));
     put(folder, "spec.toml", RECIPE.replace("car = [\"sound/plate.obj\"]", "vehicles = \"v\"").as_bytes());
-    note(folder, &format!("dataset @spec.toml --out @O {LAST_PART}"));
+    schedule(folder, &format!("dataset @spec.toml --out @O {LAST_PART}"));
 }
 
-fn write_attributions(noise: &mut Noise, folder: &Path) {
-    sound::dataset(folder);
+fn write_attributions(rng: &mut FuzzRng, folder: &Path) {
+    corpus::dataset(folder);
     let whole = include_str!("../../../../fixtures/classifier.attributions.txt");
-    put(folder, "a.txt", &changed_text(noise, whole.as_bytes(), &with_signs(&WORDS)));
-    note(folder, "train @sound/d --learner trees --attributions @a.txt --out @O");
+    put(folder, "a.txt", &mutate_text(rng, whole.as_bytes(), &with_toml_punctuation(&WORDS)));
+    schedule(folder, "train @sound/d --learner trees --attributions @a.txt --out @O");
 }

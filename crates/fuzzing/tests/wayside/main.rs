@@ -6,19 +6,19 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test ends where it meets what it did not expect")]
 
 mod commands;
-mod sound;
+mod corpus;
 mod envelope;
 mod artifacts;
 mod recordings;
 mod documents;
-mod leftovers;
+mod persisted_state;
 
 use fuzzing::Reader;
 
 #[test]
 fn files_of_changed_structure_are_read_or_refused_with_a_sentence() {
     let readers: Vec<Reader> =
-        [artifacts::readers(), recordings::readers(), documents::readers(), leftovers::readers()]
+        [artifacts::readers(), recordings::readers(), documents::readers(), persisted_state::readers()]
             .into_iter()
             .flatten()
             .collect();

@@ -10,11 +10,11 @@ pub(crate) fn existence(radar: &Radar, snr_db: f64) -> f64 {
     let channels = radar.virtual_channels().max(1);
     let level = channels as f64 * (power_from_db(snr_db) + 1.0);
     let cells = radar.waveform.range_cells() as f64 * f64::from(radar.waveform.chirps);
-    (-cells * exceeded(channels, level)).exp()
+    (-cells * tail_probability(channels, level)).exp()
 }
 
 /// Probability that a sum of `count` exponential variables of mean 1 exceeds a level.
-fn exceeded(count: usize, level: f64) -> f64 {
+fn tail_probability(count: usize, level: f64) -> f64 {
     let log_level = level.max(f64::MIN_POSITIVE).ln();
     let (mut total, mut log_factorial) = (0.0, 0.0);
     for k in 0..count {
@@ -42,11 +42,11 @@ mod tests {
     #[test]
     fn one_channel_is_exponential_and_the_middle_of_many_is_their_mean() {
         for level in [0.5, 3.0, 40.0] {
-            let told = exceeded(1, level) / (-level).exp();
+            let told = tail_probability(1, level) / (-level).exp();
             assert!((told - 1.0).abs() < 1e-12, "{level}");
         }
         // The median of a gamma variable lies a third below its shape, to 0.03 of it (Choi 1994).
-        assert!((exceeded(16, 16.0 - 1.0 / 3.0) - 0.5).abs() < 0.01);
-        assert_eq!(exceeded(12, 1e9), 0.0);
+        assert!((tail_probability(16, 16.0 - 1.0 / 3.0) - 0.5).abs() < 0.01);
+        assert_eq!(tail_probability(12, 1e9), 0.0);
     }
 }

@@ -28,14 +28,14 @@ impl SensorAxes {
 
     /// Axes of a sensor at the origin that looks along +y, from which azimuths are counted.
     pub(crate) fn of_world() -> Self {
-        let axes = radar::aperture::axes_looking(0.0, 0.0);
+        let axes = radar::aperture::boresight_axes(0.0, 0.0);
         Self { place_m: DVec3::ZERO, axes, yaw_rad: FRAC_PI_2, pitch_rad: 0.0 }
     }
 
     /// Azimuth and elevation in the sensor's axes of a direction given from world +y towards +x and above the
     /// horizon.
     pub(crate) fn angles_of_world(&self, azimuth_rad: f64, elevation_rad: f64) -> [f64; 2] {
-        let [_, ahead, _] = radar::aperture::axes_looking(azimuth_rad, elevation_rad);
+        let [_, ahead, _] = radar::aperture::boresight_axes(azimuth_rad, elevation_rad);
         self.angles(ahead)
     }
 

@@ -7,7 +7,7 @@
 //! uniformly: a twelfth of the cell squared. On the slope of a stronger point it may belong to that one's
 //! echo: their distance adds.
 
-use crate::measured::slopes::Slope;
+use crate::measured::main_lobe::MainLobeOffset;
 use artifact::Radar;
 use artifact::units::power_from_db;
 use std::f64::consts::{PI, TAU};
@@ -28,7 +28,7 @@ pub(crate) struct StandardErrors {
 pub(crate) fn standard_errors(
     radar: &Radar,
     snr_db: f64,
-    slope: Slope,
+    offset: MainLobeOffset,
     [azimuth, elevation]: [f64; 2],
 ) -> StandardErrors {
     let strength = power_from_db(snr_db).max(1.0) * radar.virtual_channels().max(1) as f64;
@@ -36,8 +36,8 @@ pub(crate) fn standard_errors(
     // The direction cosine along the rows is −cos(elevation)·sin(azimuth), along the columns sin(elevation).
     let steepness = (elevation.cos() * azimuth.cos()).abs();
     StandardErrors {
-        range_m: (radar.waveform.range_resolution_m() * tone.sqrt()).hypot(slope.range_m),
-        velocity_mps: (radar.velocity_resolution_mps() * tone.sqrt()).hypot(slope.velocity_mps),
+        range_m: (radar.waveform.range_resolution_m() * tone.sqrt()).hypot(offset.range_m),
+        velocity_mps: (radar.velocity_resolution_mps() * tone.sqrt()).hypot(offset.velocity_mps),
         azimuth_rad: cosine_error(radar, 0, strength).map(|error| (error / steepness).min(PI)),
         elevation_rad: cosine_error(radar, 1, strength).map(|error| (error / elevation.cos().abs()).min(PI)),
     }

@@ -93,7 +93,7 @@ pub fn type_names() -> impl Iterator<Item = &'static str> {
 
 /// The name used for objects of a type, from any of the standard's names for it, or from `TYPE_` and its
 /// value; `None` if the standard has no such type.
-pub fn type_told_as(name: &str) -> Option<String> {
+pub fn canonical_type_name(name: &str) -> Option<String> {
     if let Some((_, told)) = EARLIER_NAMES.iter().find(|(earlier, _)| *earlier == name) {
         return Some((*told).to_owned());
     }
@@ -119,22 +119,22 @@ mod tests {
             let classified = Some(VehicleClassification { kind: Some(value) });
             let object = MovingObject { vehicle_classification: classified, ..MovingObject::default() };
             assert_eq!(object.type_name(), name);
-            assert_eq!(type_told_as(name).as_deref(), Some(name));
-            assert_eq!(type_told_as(&format!("TYPE_{value}")).as_deref(), Some(name));
+            assert_eq!(canonical_type_name(name).as_deref(), Some(name));
+            assert_eq!(canonical_type_name(&format!("TYPE_{value}")).as_deref(), Some(name));
         }
         for (kind, name) in
             [(1, "TYPE_OTHER"), (2, "TYPE_VEHICLE"), (3, "TYPE_PEDESTRIAN"), (4, "TYPE_ANIMAL")]
         {
             assert_eq!(MovingObject { kind: Some(kind), ..MovingObject::default() }.type_name(), name);
-            assert_eq!(type_told_as(name).as_deref(), Some(name));
+            assert_eq!(canonical_type_name(name).as_deref(), Some(name));
         }
         // osi_object.proto: both names of a value are the same number.
         for (name, value) in [("TYPE_CAR", 4), ("TYPE_DELIVERY_VAN", 6), ("TYPE_MOTORBIKE", 10)] {
-            assert_eq!(type_told_as(name), Some(vehicle_type(value)));
+            assert_eq!(canonical_type_name(name), Some(vehicle_type(value)));
         }
-        assert_eq!(type_told_as("TYPE_99").as_deref(), Some("TYPE_99"));
+        assert_eq!(canonical_type_name("TYPE_99").as_deref(), Some("TYPE_99"));
         for name in ["TYPE_LORRY", "type_bus", "TYPE_", "TYPE_-1", "bus"] {
-            assert_eq!(type_told_as(name), None, "{name}");
+            assert_eq!(canonical_type_name(name), None, "{name}");
         }
     }
 }

@@ -2,7 +2,7 @@
 //! the variances of place and velocity. Values that are not estimated have the message's mark for unknown,
 //! −1.
 
-use crate::measured::box_place::middle_covariance;
+use crate::measured::box_covariance::middle_covariance;
 use crate::measured::frame_names::WORLD;
 use crate::ros::cdr::Cdr;
 use artifact::tracks::{Track, TrackState, TracksFrame};

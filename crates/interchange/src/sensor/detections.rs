@@ -1,8 +1,8 @@
 //! Points as `osi3.RadarDetection`.
 
 use crate::measured::existence::existence;
+use crate::measured::main_lobe::{MainLobeOffset, main_lobe_offsets};
 use crate::measured::sensor_axes::SensorAxes;
-use crate::measured::slopes::{Slope, slopes};
 use crate::measured::standard_errors::standard_errors;
 use crate::osi::common::{Identifier, Spherical3d, Timestamp, version};
 use crate::osi::sensor_data::{
@@ -26,18 +26,26 @@ pub(crate) fn feature_data(sensor: u64, cube: Option<&CubeHeader>, frame: &Point
         number_of_valid_detections: Some(frame.points.len() as u32),
         sensor_id: Identifier::of(sensor),
     };
-    let slopes =
-        cube.map_or_else(|| vec![Slope::default(); frame.points.len()], |cube| slopes(cube, &frame.points));
-    let detections = (0..).zip(slopes).map(|(number, slope)| detection(cube, frame, number, slope));
+    let main_lobe_offsets = cube.map_or_else(
+        || vec![MainLobeOffset::default(); frame.points.len()],
+        |cube| main_lobe_offsets(cube, &frame.points),
+    );
+    let detections =
+        (0..).zip(main_lobe_offsets).map(|(number, offset)| detection(cube, frame, number, offset));
     let of_radar = RadarDetectionData { header: Some(header), detection: detections.collect() };
     FeatureData { version: version(), radar_sensor: vec![of_radar] }
 }
 
-fn detection(cube: Option<&CubeHeader>, frame: &PointsFrame, number: usize, slope: Slope) -> RadarDetection {
+fn detection(
+    cube: Option<&CubeHeader>,
+    frame: &PointsFrame,
+    number: usize,
+    offset: MainLobeOffset,
+) -> RadarDetection {
     let point = &frame.points[number];
     let axes = cube.map_or_else(SensorAxes::of_world, |cube| SensorAxes::of(&cube.radar));
     let angles = axes.angles_of_world(point.azimuth_rad, point.elevation_rad);
-    let errors = cube.map(|cube| standard_errors(&cube.radar, point.snr_db, slope, angles));
+    let errors = cube.map(|cube| standard_errors(&cube.radar, point.snr_db, offset, angles));
     let position_rmse = errors.map(|errors| Spherical3d {
         distance: Some(errors.range_m),
         azimuth: errors.azimuth_rad,

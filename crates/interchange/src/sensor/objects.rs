@@ -1,6 +1,6 @@
 //! Tracks as `osi3.DetectedMovingObject`.
 
-use crate::measured::box_place::middle_covariance;
+use crate::measured::box_covariance::middle_covariance;
 use crate::osi::common::{BaseMoving, Dimension3d, Identifier, Orientation3d, Timestamp, Vector3d};
 use crate::osi::moving_object::{VehicleClassification, object_type};
 use crate::osi::sensor_data::{
@@ -24,11 +24,11 @@ pub(crate) fn header(radar: Option<&Radar>, frame: &TracksFrame) -> DetectedEnti
 
 /// Time at which each track was first seen.
 #[derive(Default)]
-pub(crate) struct Births {
-    of_tracks: BTreeMap<u32, f64>,
+pub(crate) struct FirstSeenTimes {
+    by_track: BTreeMap<u32, f64>,
 }
 
-impl Births {
+impl FirstSeenTimes {
     /// Objects of a frame by the sensor with that number, in the order of its tracks.
     pub(crate) fn objects(
         &mut self,
@@ -37,11 +37,11 @@ impl Births {
         classes: &BTreeMap<u32, [f64; 4]>,
     ) -> Vec<DetectedMovingObject> {
         for track in &frame.tracks {
-            self.of_tracks.entry(track.id).or_insert(frame.time_s);
+            self.by_track.entry(track.id).or_insert(frame.time_s);
         }
         let believed = frame.tracks.iter().filter(|track| track.state != TrackState::Tentative);
         let objects = believed.map(|track| {
-            let born_s = self.of_tracks.get(&track.id).copied().unwrap_or(frame.time_s);
+            let born_s = self.by_track.get(&track.id).copied().unwrap_or(frame.time_s);
             object(sensor, track, frame.time_s - born_s, classes.get(&track.id))
         });
         objects.collect()

@@ -190,9 +190,9 @@ fn the_middle_of_a_box_of_which_little_was_seen_errs_along_the_heading() {
     // The front of a vehicle of every length from 4 to 12 m is seen, and a box of 4 m stands behind it.
     let lengths = (0..8000).map(|i| 4.0 + (f64::from(i) + 0.5) / 1000.0);
     let square_m2 = lengths.map(|length_m: f64| (0.5 * (length_m - 4.0)).powi(2)).sum::<f64>() / 8000.0;
-    let [[xx, xy], [_, yy]] = crate::measured::box_place::middle_covariance(&track(4.0));
+    let [[xx, xy], [_, yy]] = crate::measured::box_covariance::middle_covariance(&track(4.0));
     assert!((yy - square_m2).abs() < 1e-5 && xx < 1e-12 && xy.abs() < 1e-12, "{xx} {xy} {yy} {square_m2}");
-    assert!(crate::measured::box_place::middle_covariance(&track(15.0))[1][1] < 1e-12);
+    assert!(crate::measured::box_covariance::middle_covariance(&track(15.0))[1][1] < 1e-12);
 }
 
 #[test]

@@ -15,7 +15,7 @@ pub(crate) struct McapFile<W: Write> {
 }
 
 /// A channel with the descriptor of its messages.
-pub(crate) struct ChannelOf<'a> {
+pub(crate) struct ChannelDefinition<'a> {
     pub(crate) topic: &'a str,
     pub(crate) schema: &'a str,
     pub(crate) schema_encoding: &'a str,
@@ -33,7 +33,7 @@ impl<W: Write> McapFile<W> {
     }
 
     /// Adds a channel and returns its id.
-    pub(crate) fn channel(&mut self, of: &ChannelOf<'_>) -> io::Result<u16> {
+    pub(crate) fn channel(&mut self, of: &ChannelDefinition<'_>) -> io::Result<u16> {
         let schema = self.writer.add_schema(of.schema, of.schema_encoding, of.definition).map_err(failed)?;
         self.writer.add_channel(schema, of.topic, of.message_encoding, &of.metadata).map_err(failed)
     }

@@ -20,7 +20,7 @@ pub(crate) struct McapMessages<R> {
 const KINDS: [u8; 6] = [op::SCHEMA, op::CHANNEL, op::MESSAGE, op::CHUNK, op::FOOTER, op::DATA_END];
 
 /// Result of reading a record.
-enum Found {
+enum RecordOutcome {
     Message(Vec<u8>),
     Nothing,
     End,
@@ -41,9 +41,9 @@ impl<R: Read> McapMessages<R> {
             };
             match record {
                 Some((kind, content)) => match self.take(kind, &content)? {
-                    Found::Message(message) => return Ok(Some(message)),
-                    Found::Nothing => {}
-                    Found::End => return self.ended(),
+                    RecordOutcome::Message(message) => return Ok(Some(message)),
+                    RecordOutcome::Nothing => {}
+                    RecordOutcome::End => return self.finish(),
                 },
                 None if self.chunk.is_some() => self.chunk = None,
                 None => return Err(TraceRule::CutOff),
@@ -51,40 +51,42 @@ impl<R: Read> McapMessages<R> {
         }
     }
 
-    fn ended(&self) -> Result<Option<Vec<u8>>, TraceRule> {
+    fn finish(&self) -> Result<Option<Vec<u8>>, TraceRule> {
         if self.channel.is_some() { Ok(None) } else { Err(TraceRule::NoChannel(self.schema)) }
     }
 
-    fn take(&mut self, kind: u8, content: &[u8]) -> Result<Found, TraceRule> {
+    fn take(&mut self, kind: u8, content: &[u8]) -> Result<RecordOutcome, TraceRule> {
         let record = parse_record(kind, content).map_err(|e| TraceRule::Record(e.to_string()))?;
         match record {
             Record::Schema { header, .. } if header.name == self.schema => {
                 self.schemas.insert(header.id);
             }
-            Record::Channel(channel) if self.schemas.contains(&channel.schema_id) => self.hear(channel)?,
-            Record::Message { header, data } if self.is_heard(header.channel_id) => {
-                return Ok(Found::Message(data.into_owned()));
+            Record::Channel(channel) if self.schemas.contains(&channel.schema_id) => {
+                self.select_channel(channel)?
+            }
+            Record::Message { header, data } if self.is_selected(header.channel_id) => {
+                return Ok(RecordOutcome::Message(data.into_owned()));
             }
             Record::Chunk { header, data } if self.chunk.is_none() => {
                 self.chunk = Some(Cursor::new(unpacked(&header, &data)?));
             }
-            Record::Footer(_) | Record::DataEnd(_) => return Ok(Found::End),
+            Record::Footer(_) | Record::DataEnd(_) => return Ok(RecordOutcome::End),
             _ => {}
         }
-        Ok(Found::Nothing)
+        Ok(RecordOutcome::Nothing)
     }
 
-    fn is_heard(&self, channel: u16) -> bool {
-        self.channel.as_ref().is_some_and(|heard| heard.id == channel)
+    fn is_selected(&self, channel: u16) -> bool {
+        self.channel.as_ref().is_some_and(|selected| selected.id == channel)
     }
 
     /// Registers a channel; channels are repeated in every chunk and at the end, but two different ones are
     /// refused.
-    fn hear(&mut self, channel: Channel) -> Result<(), TraceRule> {
+    fn select_channel(&mut self, channel: Channel) -> Result<(), TraceRule> {
         match &self.channel {
-            Some(heard) if heard.id != channel.id => Err(TraceRule::SeveralChannels {
+            Some(selected) if selected.id != channel.id => Err(TraceRule::SeveralChannels {
                 schema: self.schema,
-                first: heard.topic.clone(),
+                first: selected.topic.clone(),
                 second: channel.topic,
             }),
             _ => {

@@ -9,10 +9,10 @@ use std::io::{BufReader, Chain, Cursor, Read};
 use std::path::{Path, PathBuf};
 
 /// Bytes that were already examined, followed by the file.
-type Whole = Chain<Cursor<Vec<u8>>, File>;
+type RewoundFile = Chain<Cursor<Vec<u8>>, File>;
 
 enum Source {
-    Osi(BufReader<Whole>),
+    Osi(BufReader<RewoundFile>),
     Mcap(Box<McapMessages<File>>),
 }
 

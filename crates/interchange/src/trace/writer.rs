@@ -2,7 +2,7 @@
 
 use crate::osi::common::VERSION;
 use crate::trace::container::Container;
-use crate::trace::mcap_file::{ChannelOf, McapFile};
+use crate::trace::mcap_file::{ChannelDefinition, McapFile};
 use crate::trace::osi_file;
 use prost::Message;
 use std::collections::BTreeMap;
@@ -32,7 +32,7 @@ impl<W: Write> TraceWriter<W> {
             Container::Mcap => {
                 let mut file = McapFile::begin(sink, "")?;
                 file.metadata("net.asam.osi.trace", of_file())?;
-                let channel = file.channel(&ChannelOf {
+                let channel = file.channel(&ChannelDefinition {
                     topic: kind.topic,
                     schema: kind.schema,
                     schema_encoding: "protobuf",

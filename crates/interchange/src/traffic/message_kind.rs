@@ -4,7 +4,7 @@
 //! The kind of a message is the one whose fields have the wire types found, including nested fields; among
 //! several such, the one with the fewest unknown field numbers.
 
-use crate::traffic::walk;
+use crate::traffic::wire_fields;
 use prost::encoding::WireType;
 
 /// Possible kinds of messages in a trace.
@@ -141,7 +141,7 @@ const STREAMING_UPDATE: Fields = &[
 /// Number of fields with unknown numbers, including nested ones; `None` if a known number has another form.
 fn unknown_in(message: &[u8], fields: Fields) -> Option<usize> {
     let mut unknown = 0;
-    for field in walk::fields(message) {
+    for field in wire_fields::fields(message) {
         let field = field.ok()?;
         let known = fields.iter().find(|(first, last, _)| (*first..=*last).contains(&field.number));
         unknown += match (known.map(|(_, _, shape)| shape), field.wire, field.content) {

@@ -5,7 +5,7 @@ use crate::osi::common::{Dimension3d, Identifier, MountingPosition, Orientation3
 use crate::osi::moving_object::VehicleClassification;
 use crate::osi::sensor_data::{DetectedMovingObject, FeatureData, SensorData};
 use crate::osi::sensor_view::{RadarSensorView, SensorView};
-use crate::trace::{ChannelOf, McapFile};
+use crate::trace::{ChannelDefinition, McapFile};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 
@@ -55,7 +55,7 @@ fn mcap_of(topics: &[&str], messages: &[Vec<u8>]) -> Vec<u8> {
 fn mcap_of_kind(schema: &str, topics: &[&str], messages: &[Vec<u8>]) -> Vec<u8> {
     let mut bytes = Vec::new();
     let mut file = McapFile::begin(&mut bytes, "").unwrap();
-    let of = |topic| ChannelOf {
+    let of = |topic| ChannelDefinition {
         topic,
         schema,
         schema_encoding: "protobuf",

@@ -1,7 +1,7 @@
 //! Predicted cost of a dataset: files and bytes from the counts of its recipe, processor time from the work
 //! of some of its scenes (docs/engines.md).
 
-use crate::dataset::draws::{self, Drawn, Kind};
+use crate::dataset::draws::{self, DrawnScene, Kind};
 use crate::dataset::layout::Layout;
 use crate::dataset::recipe::Recipe;
 use crate::dataset::staging::stage;
@@ -46,14 +46,14 @@ struct Counts {
 
 impl Counts {
     fn of(recipe: &Recipe, layout: &Layout) -> Self {
-        let asked = &recipe.asked;
+        let document = &recipe.document;
         let side = f64::from(dsp::PAPER_CROP.side);
         Self {
             scenes: layout.scenes as f64,
-            frames: f64::from(asked.frames),
+            frames: f64::from(document.frames),
             shards: layout.count() as f64,
-            vehicles: asked.vehicles_per_scene.map(f64::from).iter().sum::<f64>() / 2.0,
-            crop_bytes: if asked.crops { side * side + CROP_HEAD_BYTES } else { 0.0 },
+            vehicles: document.vehicles_per_scene.map(f64::from).iter().sum::<f64>() / 2.0,
+            crop_bytes: if document.crops { side * side + CROP_HEAD_BYTES } else { 0.0 },
         }
     }
 
@@ -99,17 +99,17 @@ pub(super) fn lines(recipe: &Recipe, layout: &Layout, memory: Allowance) -> Resu
         ),
         format!(
             "{} MiB of samples and {} MiB of lines if every vehicle is found",
-            told(counts.sample_bytes() / MIB),
-            told(counts.line_bytes() / MIB),
+            three_digits(counts.sample_bytes() / MIB),
+            three_digits(counts.line_bytes() / MIB),
         ),
         format!(
             "{} core-hours, {} to {}, by the work of {} scenes: {} s of processor time a scene, {} s a shard",
-            told(all_s / 3600.0),
-            told(all_s / SPREAD / 3600.0),
-            told(all_s * SPREAD / 3600.0),
+            three_digits(all_s / 3600.0),
+            three_digits(all_s / SPREAD / 3600.0),
+            three_digits(all_s * SPREAD / 3600.0),
             seconds.looked_at,
-            told(all_s / counts.scenes),
-            told(all_s / counts.shards),
+            three_digits(all_s / counts.scenes),
+            three_digits(all_s / counts.shards),
         ),
     ])
 }
@@ -119,7 +119,7 @@ fn kinds_of_shard(recipe: &Recipe, layout: &Layout) -> f64 {
     let shards = layout.all().take(SHARDS_LOOKED_AT as usize);
     let kinds = shards.map(|shard| {
         let scenes = draws::draw(recipe, shard.scenes);
-        scenes.iter().map(Drawn::kind).collect::<BTreeSet<Kind>>().len() as f64
+        scenes.iter().map(DrawnScene::kind).collect::<BTreeSet<Kind>>().len() as f64
     });
     let kinds: Vec<f64> = kinds.collect();
     kinds.iter().sum::<f64>() / kinds.len().max(1) as f64
@@ -166,7 +166,7 @@ fn frames_seconds(chain: &Chain, frames: Range<u32>) -> Result<f64, Failure> {
 }
 
 /// Text of a number to three digits, or as a whole number.
-fn told(number: f64) -> String {
+fn three_digits(number: f64) -> String {
     let digits = (2.0 - number.max(1e-3).log10().floor()).max(0.0) as usize;
     format!("{number:.digits$}")
 }
@@ -177,6 +177,9 @@ mod tests {
 
     #[test]
     fn numbers_are_told_to_three_digits_or_whole() {
-        assert_eq!([0.0123, 0.64, 12.345, 197_430.2].map(told), ["0.0123", "0.640", "12.3", "197430"]);
+        assert_eq!(
+            [0.0123, 0.64, 12.345, 197_430.2].map(three_digits),
+            ["0.0123", "0.640", "12.3", "197430"]
+        );
     }
 }

@@ -12,7 +12,7 @@ const STANDING_SHARE: f64 = 0.5;
 const ROLLING_MPS: f64 = 0.5;
 
 /// A scene before it is computed.
-pub(super) struct Drawn {
+pub(super) struct DrawnScene {
     pub(super) number: u64,
     /// Index of its base scene.
     pub(super) base: usize,
@@ -51,7 +51,7 @@ pub(super) struct Drive {
 /// vehicle, `None` for several.
 pub(super) type Kind = (usize, Option<Class>);
 
-impl Drawn {
+impl DrawnScene {
     pub(super) fn kind(&self) -> Kind {
         let alone = match self.vehicles.as_slice() {
             [vehicle] => Some(vehicle.class),
@@ -63,11 +63,11 @@ impl Drawn {
 
 /// Number of scenes of a recipe.
 pub(super) fn count(recipe: &Recipe) -> u64 {
-    u64::from(recipe.asked.scenes_per_class) * recipe.models.len() as u64
+    u64::from(recipe.document.scenes_per_class) * recipe.models.len() as u64
 }
 
 /// Draws the scenes of these numbers; classes alternate, so that any beginning is balanced.
-pub(super) fn draw(recipe: &Recipe, scenes: Range<u64>) -> Vec<Drawn> {
+pub(super) fn draw(recipe: &Recipe, scenes: Range<u64>) -> Vec<DrawnScene> {
     let classes: Vec<(Class, usize)> =
         recipe.models.iter().map(|(class, models)| (*class, models.len())).collect();
     let one = |number: u64| {
@@ -78,18 +78,18 @@ pub(super) fn draw(recipe: &Recipe, scenes: Range<u64>) -> Vec<Drawn> {
     scenes.map(one).collect()
 }
 
-fn draw_one(recipe: &Recipe, number: u64, class: Class, model: usize) -> Drawn {
-    let asked = &recipe.asked;
+fn draw_one(recipe: &Recipe, number: u64, class: Class, model: usize) -> DrawnScene {
+    let document = &recipe.document;
     let mut random = stream(recipe, "dataset/scene", &[number]);
-    let variant = random.random_range(0..asked.vehicle_seeds);
+    let variant = random.random_range(0..document.vehicle_seeds);
     let first = drive(recipe, &mut random);
     let mut random = stream(recipe, "dataset/radar", &[number]);
     let base = random.random_range(0..recipe.bases.len());
     let [height, tilt, noise] = std::array::from_fn(|_| random.random());
     let mut random = stream(recipe, "dataset/traffic", &[number]);
-    let [least, most] = asked.vehicles_per_scene;
+    let [least, most] = document.vehicles_per_scene;
     let count = random.random_range(least..=most);
-    let queues = random.random::<f64>() < asked.queue_share;
+    let queues = random.random::<f64>() < document.queue_share;
     let rolling_mps =
         if random.random::<f64>() < STANDING_SHARE { 0.0 } else { ROLLING_MPS * random.random::<f64>() };
     let mut vehicles = vec![vehicle(recipe, number, 0, (class, model, variant))];
@@ -97,31 +97,31 @@ fn draw_one(recipe: &Recipe, number: u64, class: Class, model: usize) -> Drawn {
         let drawn = any_model(recipe, &mut random);
         vehicles.push(vehicle(recipe, number, target, drawn));
     }
-    Drawn {
+    DrawnScene {
         number,
         base,
         vehicles,
         first,
         queue_mps: queues.then_some(rolling_mps),
-        radar_height_m: asked.radar_height_m.map(|span| within(span, height)),
-        tilt_rad: asked.tilt_deg.map(|span| within(span, tilt).to_radians()),
-        extra_noise_db: within(asked.extra_noise_db, noise),
+        radar_height_m: document.radar_height_m.map(|span| within(span, height)),
+        tilt_rad: document.tilt_deg.map(|span| within(span, tilt).to_radians()),
+        extra_noise_db: within(document.extra_noise_db, noise),
     }
 }
 
 pub(super) fn drive(recipe: &Recipe, random: &mut ChaCha8Rng) -> Drive {
-    let asked = &recipe.asked;
+    let document = &recipe.document;
     Drive {
-        lane: asked.lanes[random.random_range(0..asked.lanes.len())],
-        range_m: within(asked.range_m, random.random()),
-        speed_mps: within(asked.speed_mps, random.random()),
+        lane: document.lanes[random.random_range(0..document.lanes.len())],
+        range_m: within(document.range_m, random.random()),
+        speed_mps: within(document.speed_mps, random.random()),
     }
 }
 
 /// Draws a class, all with equal probability, then one of its models and a variant.
 fn any_model(recipe: &Recipe, random: &mut ChaCha8Rng) -> (Class, usize, u64) {
     let number = random.random_range(0..recipe.models.len());
-    let variant = random.random_range(0..recipe.asked.vehicle_seeds);
+    let variant = random.random_range(0..recipe.document.vehicle_seeds);
     let share: f64 = random.random();
     let (class, models) =
         recipe.models.iter().nth(number).map_or((Class::Car, 0), |(class, of)| (*class, of.len()));
@@ -140,8 +140,8 @@ fn vehicle(
         class,
         model,
         variant: if recipe.models[&class][model].has_variants() { variant } else { 0 },
-        yaw_rad: within(recipe.asked.yaw_deg, yaw).to_radians(),
-        offset_m: within(recipe.asked.offset_m, offset),
+        yaw_rad: within(recipe.document.yaw_deg, yaw).to_radians(),
+        offset_m: within(recipe.document.offset_m, offset),
     }
 }
 

@@ -3,7 +3,7 @@
 
 use crate::dataset::draws;
 use crate::dataset::recipe::Recipe;
-use pipeline::host::dataset_folders::lines_of;
+use pipeline::host::dataset_folders::lines_file;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -32,7 +32,7 @@ pub(super) struct PlannedShard {
 
 impl Layout {
     pub(super) fn of(recipe: &Recipe, folder: &Path) -> Self {
-        let scenes_per_shard = u64::from(recipe.asked.scenes_per_shard);
+        let scenes_per_shard = u64::from(recipe.document.scenes_per_shard);
         Self { folder: folder.to_owned(), scenes: draws::count(recipe), scenes_per_shard }
     }
 
@@ -65,7 +65,7 @@ impl Layout {
         let (samples, name) = self.place(number);
         PlannedShard {
             scenes: first..self.scenes.min(first + self.scenes_per_shard),
-            lines: lines_of(&samples),
+            lines: lines_file(&samples),
             samples,
             name,
         }

@@ -1,17 +1,17 @@
 //! JSON lines of a dataset: one line per scene beside each shard, from which one line per sample is made.
 
-use crate::dataset::draws::Drawn;
-use crate::dataset::observed_frame::SeenFrame;
+use crate::dataset::draws::DrawnScene;
+use crate::dataset::observed_frame::ObservedFrame;
 use crate::dataset::recipe::{FRAMES_LIMIT, Recipe, VEHICLES_LIMIT};
 use crate::dataset::scene_line::{EstimateLine, FrameLine, SceneLine, VehicleLine};
-use crate::dataset::staging::{Staged, ToldVehicle};
+use crate::dataset::staging::{StagedScene, VehicleDescription};
 use artifact::envelope::fingerprint;
 use artifact::points::Object;
 use artifact::settings::Lanes;
 use evaluation::Truth;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
-use pipeline::outcome::verdict::{Asking, Verdict};
+use pipeline::outcome::verdict::{RequestSource, Verdict};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 use std::path::Path;
@@ -24,8 +24,8 @@ pub(super) fn id(scene: u64, target: usize, frame: u32) -> String {
 /// A scene with all of its frames.
 pub(super) fn scene(
     recipe: &Recipe,
-    drawn: &Drawn,
-    staged: &Staged,
+    drawn: &DrawnScene,
+    staged: &StagedScene,
     frames: Vec<FrameLine>,
     measured_in: u64,
     shard: &str,
@@ -52,13 +52,13 @@ pub(super) fn scene(
 }
 
 /// One frame with all of its vehicles.
-pub(super) fn frame(drawn: &Drawn, staged: &Staged, seen: &SeenFrame) -> FrameLine {
-    let result = &seen.products.result;
+pub(super) fn frame(drawn: &DrawnScene, staged: &StagedScene, observed: &ObservedFrame) -> FrameLine {
+    let result = &observed.products.result;
     let paths = result.scattering.paths();
-    let verdict =
-        Verdict::of_paths(&staged.header.fidelity, &result.error, paths).beside(&result.model_error);
+    let verdict = Verdict::of_paths(&staged.header.fidelity, &result.error, paths)
+        .with_model_error(&result.model_error);
     let road = &staged.header.dsp.road;
-    let told = staged.vehicles.iter().zip(&seen.truths).zip(&seen.object_of).enumerate();
+    let told = staged.vehicles.iter().zip(&observed.truths).zip(&observed.object_of).enumerate();
     let vehicles = told.map(|(target, ((told, truth), object))| VehicleLine {
         id: id(drawn.number, target, result.points.index),
         target: target as u32,
@@ -69,12 +69,12 @@ pub(super) fn frame(drawn: &Drawn, staged: &Staged, seen: &SeenFrame) -> FrameLi
         objects: result.points.objects.len(),
         points: result.points.points.len(),
         paths: paths.map(|p| p.paths.len()),
-        accuracy: verdict.told(Asking::Scene),
+        accuracy: verdict.for_summary(RequestSource::Scene),
         vehicles: vehicles.collect(),
     }
 }
 
-fn vehicle(told: &ToldVehicle, truth: &Truth, object: Option<&Object>, road: &Lanes) -> VehicleLine {
+fn vehicle(told: &VehicleDescription, truth: &Truth, object: Option<&Object>, road: &Lanes) -> VehicleLine {
     let across_m = |position_m: [f64; 3]| Some(road.across_along_m(position_m)[0]);
     let estimate = |o: &Object| EstimateLine {
         range_m: Some(o.range_m),

@@ -17,12 +17,12 @@ use artifact::scene::SceneHeader;
 use artifact::settings::Class;
 use document::Document;
 use error::RecipeError;
-use models::Named;
+use models::ModelFiles;
 use pipeline::chain::loading;
 use pipeline::host::failure::Failure;
 use pipeline::host::progress;
 use pipeline::planning;
-use scene::document::faults::Faults;
+use scene::document::diagnostics::Diagnostics;
 use scene::document::section::Section;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -33,7 +33,7 @@ const LIMIT_BYTES: u64 = 4 << 20;
 /// A recipe, checked.
 pub(super) struct Recipe {
     /// Content of the recipe's file, which determines the draws.
-    pub(super) asked: Document,
+    pub(super) document: Document,
     pub(super) bases: Vec<Base>,
     pub(super) models: BTreeMap<Class, Vec<Model>>,
     pub(super) seed: u64,
@@ -46,12 +46,12 @@ impl Recipe {
     /// The recipe in `file`; every rule that it breaks is told, not only the first.
     pub(super) fn read(file: &Path, seed: Option<u64>) -> Result<Self, Failure> {
         let read = || bounded::read_text(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault));
-        let (text, mut inputs) = loading::read_of(&[file.to_owned()], read)?;
-        let (asked, bases, named) = said(file, &text, &mut inputs)?;
+        let (text, mut inputs) = loading::read_hashed(&[file.to_owned()], read)?;
+        let (document, bases, named) = read_document(file, &text, &mut inputs)?;
         let headers: Vec<&SceneHeader> = bases.iter().map(|base| &base.header).collect();
         let models = models::read(named, &headers, &mut inputs).map_err(|failure| failure.named_in(file))?;
-        let seed = seed.unwrap_or(asked.seed);
-        Ok(Self { inputs, asked, bases, models, seed, text })
+        let seed = seed.unwrap_or(document.seed);
+        Ok(Self { inputs, document, bases, models, seed, text })
     }
 
     /// Whether a recipe of that text, read from those inputs, draws the same scenes; their number may differ,
@@ -59,41 +59,41 @@ impl Recipe {
     pub(super) fn draws_as(&self, text: &str, inputs: &[(String, String)]) -> bool {
         let open = |known: Document| Document { scenes_per_class: 0, ..known };
         let its = Document::of_text(text).map(open);
-        let is_same = its.is_some_and(|its| its == open(self.asked.clone()));
+        let is_same = its.is_some_and(|its| its == open(self.document.clone()));
         // All but the recipe's own, which is open above. A model is called as its file is.
         is_same && inputs.get(1..) == self.inputs.get(1..)
     }
 }
 
 /// The recipe's content, its base scenes, and its models by their names.
-fn said(
+fn read_document(
     file: &Path,
     text: &str,
     inputs: &mut Vec<(String, String)>,
-) -> Result<(Document, Vec<Base>, Named), Failure> {
-    let faults = Faults::of_tables(file, text, keys::TABLES);
-    let document = faults.document();
-    let root = Section::root(&document, &keys::RECIPE, &faults);
+) -> Result<(Document, Vec<Base>, ModelFiles), Failure> {
+    let faults = Diagnostics::of_tables(file, text, keys::TABLES);
+    let toml_document = faults.document();
+    let root = Section::root(&toml_document, &keys::RECIPE, &faults);
     let of_models = root.section(&keys::MODELS);
-    let asked = Document::of(&root, &of_models);
-    rules::check_alone(&root, &asked);
-    let bases = bases(file, &asked, &root, inputs);
+    let document = Document::of(&root, &of_models);
+    rules::check_alone(&root, &document);
+    let bases = bases(file, &document, &root, inputs);
     for base in bases.iter().flatten() {
-        rules::check_before(&root, &asked, base);
+        rules::check_before(&root, &document, base);
     }
     let folder = file.parent().unwrap_or(Path::new("."));
-    let listed = models::listed(&asked.models, file, inputs);
-    let named = listed.map(|listed| models::named(&asked.models, listed, folder, &of_models));
+    let listed = models::listed(&document.models, file, inputs);
+    let named = listed.map(|listed| models::named(&document.models, listed, folder, &of_models));
     // What the recipe says wrongly is told before what stands in the files that it names.
-    faults.into_errors().map_err(loading::of_scene)?;
-    Ok((asked, bases?, named?))
+    faults.into_errors().map_err(loading::scene_failure)?;
+    Ok((document, bases?, named?))
 }
 
 /// The base scenes, without those of several radars, which are noted; `inputs` gets the files that they were
 /// read from, with hashes.
 fn bases(
     file: &Path,
-    asked: &Document,
+    document: &Document,
     root: &Section<'_>,
     inputs: &mut Vec<(String, String)>,
 ) -> Result<Vec<Base>, Failure> {
@@ -101,16 +101,16 @@ fn bases(
     let folder = file.parent().unwrap_or(Path::new("."));
     let key = if root.has(keys::SCENE.name) { keys::SCENE.name } else { keys::SCENES.name };
     let mut bases = Vec::new();
-    for (number, written) in asked.scenes.iter().enumerate() {
+    for (number, written) in document.scenes.iter().enumerate() {
         let scene = folder.join(written);
-        let radars = scene::radars(&scene).map_err(loading::of_scene).map_err(named)?;
+        let radars = scene::radars(&scene).map_err(loading::scene_failure).map_err(named)?;
         if !radars.is_empty() {
             let scene = written.display().to_string();
             root.note_element(key, number, RecipeError::SeveralRadars { key, scene, radars }.into());
             continue;
         }
         let files = loading::files_of_radar(&scene).map_err(named)?;
-        let (base, hashed) = loading::read_of(&files, || base(&scene)).map_err(named)?;
+        let (base, hashed) = loading::read_hashed(&files, || base(&scene)).map_err(named)?;
         bases.push(base);
         inputs.extend(hashed);
     }

@@ -2,10 +2,10 @@
 //! made by the same program.
 
 use crate::dataset::layout::PlannedShard;
-use crate::dataset::lines as told;
-use crate::dataset::maker::maker;
+use crate::dataset::lines as scene_lines;
 use crate::dataset::recipe::Recipe;
 use crate::dataset::scene_line::SceneLine;
+use crate::dataset::shard_version::shard_version;
 use artifact::dataset::{Dataset, Sample};
 use artifact::{ArtifactError, Fault, Reader};
 use pipeline::host::failure::Failure;
@@ -54,7 +54,7 @@ pub(super) fn is_there(recipe: &Recipe, shard: &PlannedShard) -> Result<bool, Fa
 
 /// Lines of a shard, one for each of its scenes, in order; `None` if they describe other scenes.
 pub(super) fn lines(shard: &PlannedShard) -> Option<Vec<SceneLine>> {
-    let lines = told::read(&shard.lines).ok()?;
+    let lines = scene_lines::read(&shard.lines).ok()?;
     let numbers = lines.iter().map(|line| line.scene);
     numbers.eq(shard.scenes.clone().map(Some)).then_some(lines)
 }
@@ -85,7 +85,7 @@ fn opened(recipe: &Recipe, shard: &Path) -> Result<Reader<Dataset>, Obstacle> {
             "was made by another recipe, scene or seed; --out takes a new folder, or that of this recipe",
         ));
     }
-    let (theirs, own) = (&from.program_version, maker());
+    let (theirs, own) = (&from.program_version, shard_version());
     if *theirs != own {
         return Err(foreign(&format!(
             "was made by another version of the program ({theirs}, this is {own}); {ANOTHER_FOLDER}"

@@ -1,7 +1,7 @@
 //! A drawn scene with its meshes: vehicles placed in front of the radar of its base scene.
 
-use crate::dataset::draws::{self, Drawn, Drive, Vehicle};
-use crate::dataset::places::BodyOnRoad;
+use crate::dataset::draws::{self, DrawnScene, Drive, Vehicle};
+use crate::dataset::placement::BodyOnRoad;
 use crate::dataset::recipe::{Base, Model, NEAREST_ALONG_M, Recipe};
 use artifact::scene::{Mesh, Role, SceneHeader, Target, TargetKind};
 use artifact::settings::{Class, Fidelity, Noise};
@@ -16,14 +16,14 @@ const QUEUE_GAP_M: [f64; 2] = [2.0, 4.0];
 const MEASURED_EVERY: u32 = 1_000_000;
 
 /// A scene ready to be computed.
-pub(super) struct Staged {
+pub(super) struct StagedScene {
     pub(super) header: SceneHeader,
     /// Vehicles that found room, in the order of the targets.
-    pub(super) vehicles: Vec<ToldVehicle>,
+    pub(super) vehicles: Vec<VehicleDescription>,
 }
 
 /// Description of a vehicle in lines and samples, without its estimates.
-pub(super) struct ToldVehicle {
+pub(super) struct VehicleDescription {
     pub(super) class: Class,
     pub(super) model: String,
     pub(super) variant: u64,
@@ -31,15 +31,15 @@ pub(super) struct ToldVehicle {
 }
 
 /// The base scene with these vehicles as its only targets; those without room are left out.
-pub(super) fn stage(recipe: &Recipe, drawn: &Drawn) -> Staged {
+pub(super) fn stage(recipe: &Recipe, drawn: &DrawnScene) -> StagedScene {
     let base = before_radar(recipe, drawn);
     let mesh = |vehicle: &Vehicle| model(recipe, vehicle).mesh(vehicle.variant, drawn.base, &base);
     let all: Vec<Mesh> = drawn.vehicles.iter().map(mesh).collect();
     let places = Road { recipe, drawn, base: &base }.places(&all);
-    let (mut meshes, mut targets, mut vehicles) = (Vec::new(), Vec::new(), Vec::<ToldVehicle>::new());
+    let (mut meshes, mut targets, mut vehicles) = (Vec::new(), Vec::new(), Vec::<VehicleDescription>::new());
     for ((vehicle, mesh), place) in drawn.vehicles.iter().zip(all).zip(places) {
         let Some(place) = place else { continue };
-        let told = told(recipe, vehicle);
+        let told = describe(recipe, vehicle);
         // Errors measured for a body in one scene apply to the corresponding body in another.
         let number = 1 + vehicles.iter().filter(|before| before.class == told.class).count();
         let id = format!("{}-{number}", told.class.name());
@@ -52,20 +52,20 @@ pub(super) fn stage(recipe: &Recipe, drawn: &Drawn) -> Staged {
         meshes.push(mesh);
         vehicles.push(told);
     }
-    Staged { header: SceneHeader { meshes: meshes.into(), targets, ..base }, vehicles }
+    StagedScene { header: SceneHeader { meshes: meshes.into(), targets, ..base }, vehicles }
 }
 
 fn model<'r>(recipe: &'r Recipe, vehicle: &Vehicle) -> &'r Model {
     &recipe.models[&vehicle.class][vehicle.model]
 }
 
-fn told(recipe: &Recipe, vehicle: &Vehicle) -> ToldVehicle {
+fn describe(recipe: &Recipe, vehicle: &Vehicle) -> VehicleDescription {
     let Vehicle { class, variant, yaw_rad, .. } = *vehicle;
-    ToldVehicle { class, model: model(recipe, vehicle).name.clone(), variant, yaw_rad }
+    VehicleDescription { class, model: model(recipe, vehicle).name.clone(), variant, yaw_rad }
 }
 
 /// The base scene without targets, with its radar mounted as drawn.
-fn before_radar(recipe: &Recipe, drawn: &Drawn) -> SceneHeader {
+fn before_radar(recipe: &Recipe, drawn: &DrawnScene) -> SceneHeader {
     let Base { header: base, .. } = &recipe.bases[drawn.base];
     let [_, _, height_m] = base.radar.position_m;
     let height_m = drawn.radar_height_m.unwrap_or(height_m);
@@ -74,8 +74,8 @@ fn before_radar(recipe: &Recipe, drawn: &Drawn) -> SceneHeader {
     SceneHeader {
         name: format!("dataset-{}", drawn.number),
         seed: draws::noise_seed(recipe.seed, drawn.number),
-        frames: recipe.asked.frames,
-        frame_interval_s: recipe.asked.frame_interval_s.unwrap_or(base.frame_interval_s),
+        frames: recipe.document.frames,
+        frame_interval_s: recipe.document.frame_interval_s.unwrap_or(base.frame_interval_s),
         radar: radar::aperture::remounted(&base.radar, height_m, tilt_rad),
         noise: noisier(base.noise, drawn.extra_noise_db),
         fidelity,
@@ -99,13 +99,13 @@ fn noisier(noise: Noise, extra_db: f64) -> Noise {
 /// Road of the base scene, on which the drawn vehicles are placed.
 struct Road<'a> {
     recipe: &'a Recipe,
-    drawn: &'a Drawn,
+    drawn: &'a DrawnScene,
     base: &'a SceneHeader,
 }
 
 /// A placed vehicle.
 #[derive(Clone, Copy)]
-struct Placed {
+struct PlacedVehicle {
     lane: u8,
     place: BodyOnRoad,
 }
@@ -114,7 +114,7 @@ impl Road<'_> {
     /// Places of the vehicles; `None` without room.
     fn places(&self, meshes: &[Mesh]) -> Vec<Option<BodyOnRoad>> {
         let mut random = draws::stream(self.recipe, "dataset/places", &[self.drawn.number]);
-        let mut before: Vec<Placed> = Vec::new();
+        let mut before: Vec<PlacedVehicle> = Vec::new();
         let mut places = Vec::new();
         for (number, (vehicle, mesh)) in self.drawn.vehicles.iter().zip(meshes).enumerate() {
             let first = (number == 0).then_some(self.drawn.first);
@@ -133,9 +133,9 @@ impl Road<'_> {
         drive: Drive,
         vehicle: &Vehicle,
         mesh: &Mesh,
-        before: &[Placed],
+        before: &[PlacedVehicle],
         random: &mut ChaCha8Rng,
-    ) -> Option<Placed> {
+    ) -> Option<PlacedVehicle> {
         let speed_mps = self.drawn.queue_mps.unwrap_or(drive.speed_mps);
         let across_m = self.across_m(drive.lane) + vehicle.offset_m;
         let at = |along_m: f64| {
@@ -147,12 +147,12 @@ impl Road<'_> {
             .rev()
             .find(|other| other.lane == drive.lane)
             .filter(|_| self.drawn.queue_mps.is_some());
-        if let Some(Placed { place: last, .. }) = last {
+        if let Some(PlacedVehicle { place: last, .. }) = last {
             let gap_m = draws::within(QUEUE_GAP_M, random.random());
             place = at(last.at_m[1] + last.half_along_m() + gap_m + place.half_along_m());
         }
         let is_clear = before.iter().all(|other| place.is_clear_of(&other.place, self.seconds()));
-        is_clear.then_some(Placed { lane: drive.lane, place })
+        is_clear.then_some(PlacedVehicle { lane: drive.lane, place })
     }
 
     fn across_m(&self, lane: u8) -> f64 {

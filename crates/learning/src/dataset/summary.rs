@@ -11,7 +11,7 @@ use crate::dataset::resumption;
 use crate::dataset::scene_line::SceneLine;
 use accuracy::ReachedAccuracy;
 use detection::DetectionTable;
-use pipeline::host::dataset_folders::CONCLUSION;
+use pipeline::host::dataset_folders::SUMMARY_FILES;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::host::progress::Work;
@@ -20,7 +20,7 @@ use std::path::{Path, PathBuf};
 
 /// Files of the summary in a dataset's folder.
 pub(super) fn files_of(out: &Path) -> [PathBuf; 3] {
-    CONCLUSION.map(|name| out.join(name))
+    SUMMARY_FILES.map(|name| out.join(name))
 }
 
 /// Missing shards of a recipe, at most `most`: checked first by their names, which suffices for all parts but

@@ -5,7 +5,7 @@ use crate::dataset::lines;
 use crate::dataset::scene_line::{EstimateLine, SceneLine, VehicleLine};
 use classifier::TrackKey;
 use glam::DVec2;
-use pipeline::host::dataset_folders::{DatasetFolder, lines_of};
+use pipeline::host::dataset_folders::{DatasetFolder, lines_file};
 use pipeline::host::failure::Failure;
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
@@ -25,16 +25,16 @@ const TILT_DEG: [f64; 2] = [-8.0, -4.0];
 const ASPECT_DEG: [f64; 4] = [20.0, 70.0, 110.0, 160.0];
 
 /// Conditions of tracks.
-pub(super) type OfTracks = BTreeMap<TrackKey, Conditions>;
+pub(super) type TrackConditions = BTreeMap<TrackKey, Conditions>;
 
 /// Conditions of every detected vehicle in its first frame; none for shards without lines.
 ///
 /// # Errors
 /// A line is damaged: file, line and rule.
-pub(super) fn conditions(folders: &[DatasetFolder]) -> Result<OfTracks, Failure> {
+pub(super) fn conditions(folders: &[DatasetFolder]) -> Result<TrackConditions, Failure> {
     let mut all = BTreeMap::new();
     for (number, folder) in folders.iter().enumerate() {
-        for file in folder.shards.iter().map(|shard| lines_of(shard)).filter(|file| file.exists()) {
+        for file in folder.shards.iter().map(|shard| lines_file(shard)).filter(|file| file.exists()) {
             lines::read(&file)?.iter().for_each(|scene| of_scene(number, scene, &mut all));
         }
     }
@@ -42,7 +42,7 @@ pub(super) fn conditions(folders: &[DatasetFolder]) -> Result<OfTracks, Failure>
 }
 
 /// Conditions of a vehicle without a line.
-pub(super) fn untold() -> Conditions {
+pub(super) fn unknown() -> Conditions {
     vec![("line beside the shard", (0, "none".into()))]
 }
 

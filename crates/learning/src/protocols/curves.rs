@@ -1,10 +1,12 @@
 //! Learning curves: trainings on parts of the scenes and of the vehicles.
 
-use crate::protocols::protocol_set::{of_test, of_training, told};
+use crate::protocols::protocol_set::{evaluate, of_test, of_training};
 use artifact::dataset::Split;
 use artifact::seed;
-use classifier::{ClassifierError, Part, Seen, Sightings, SignatureTraining, Trained};
-use pipeline::chain::loaded_model::of_classifier;
+use classifier::{
+    ClassificationMetrics, ClassifierError, Sighting, Sightings, SignatureTraining, TrainedModel,
+};
+use pipeline::chain::loaded_model::classifier_failure;
 use pipeline::host::failure::Failure;
 use pipeline::host::progress::Work;
 use std::collections::BTreeSet;
@@ -16,29 +18,29 @@ const SHARES: [f64; 3] = [0.125, 0.25, 0.5];
 const SEED: u64 = 1;
 
 /// Whether a fraction of the training data includes a sighting.
-type Keeps = fn(&Seen, f64) -> bool;
+type SubsetFilter = fn(&Sighting, f64) -> bool;
 
 /// Makes one table over scenes and one over vehicles; each row except that of the `whole` is a new training.
 /// `tests` are names and test data.
 pub(super) fn page(
     training: &SignatureTraining,
     learned: &Sightings,
-    whole: &Trained,
+    whole: &TrainedModel,
     tests: &[(String, &Sightings)],
 ) -> Result<String, Failure> {
     let work = Work::begin("learning curves");
     let mut page = String::new();
-    let curves: [(&str, Keeps); 2] = [("scenes", keeps_scene), ("vehicles", keeps_vehicle)];
-    for (curve, (what, keeps)) in curves.into_iter().enumerate() {
+    let curves: [(&str, SubsetFilter); 2] = [("scenes", includes_scene), ("vehicles", includes_vehicle)];
+    for (curve, (what, includes)) in curves.into_iter().enumerate() {
         page += &heading(what, tests);
         for (at, share) in SHARES.into_iter().enumerate() {
-            let part = part_of(learned, share, keeps);
+            let part = part_of(learned, share, includes);
             let trained = training.train(&part, SEED, &mut |done, of| {
                 work.at((curve * SHARES.len() + at) * of + done, 2 * SHARES.len() * of);
             });
             let row = match trained {
                 Err(ClassifierError::MissingClass { class }) => format!("no {} among them |", class.name()),
-                trained => row(&part, &trained.map_err(of_classifier)?, tests),
+                trained => row(&part, &trained.map_err(classifier_failure)?, tests),
             };
             let _ = writeln!(page, "| {share} | {row}");
         }
@@ -57,39 +59,40 @@ fn heading(what: &str, tests: &[(String, &Sightings)]) -> String {
 }
 
 /// Sightings with a fraction of the training data; test data stay whole.
-fn part_of(learned: &Sightings, share: f64, keeps: Keeps) -> Sightings {
+fn part_of(learned: &Sightings, share: f64, includes: SubsetFilter) -> Sightings {
     let mut part = learned.clone();
-    part.all.retain(|seen| seen.split == Split::Test || keeps(seen, share));
+    part.all.retain(|seen| seen.split == Split::Test || includes(seen, share));
     part
 }
 
-fn keeps_scene(seen: &Seen, share: f64) -> bool {
+fn includes_scene(seen: &Sighting, share: f64) -> bool {
     let (dataset, scene, _) = seen.track;
-    is_drawn(&[dataset as u64, scene], share)
+    is_in_share(&[dataset as u64, scene], share)
 }
 
-fn keeps_vehicle(seen: &Seen, share: f64) -> bool {
+fn includes_vehicle(seen: &Sighting, share: f64) -> bool {
     let number = seen
         .model
         .bytes()
         .fold(seen.class as u64, |all, byte| all.wrapping_mul(257).wrapping_add(byte.into()));
-    is_drawn(&[number], share)
+    is_in_share(&[number], share)
 }
 
 /// Whether an index is in a fraction; a larger fraction includes a smaller one.
-fn is_drawn(index: &[u64], share: f64) -> bool {
+fn is_in_share(index: &[u64], share: f64) -> bool {
     let [a, b, c, d, ..] = seed::key(SEED, "protocols/curve", index);
     f64::from(u32::from_le_bytes([a, b, c, d])) < share * f64::from(u32::MAX) + 0.5
 }
 
-fn row(part: &Sightings, trained: &Trained, tests: &[(String, &Sightings)]) -> String {
-    let by_test = |(name, test): &(String, &Sightings)| told(&of_test(name.clone(), test), trained, |_| true);
+fn row(part: &Sightings, trained: &TrainedModel, tests: &[(String, &Sightings)]) -> String {
+    let by_test =
+        |(name, test): &(String, &Sightings)| evaluate(&of_test(name.clone(), test), trained, |_| true);
     let own = of_training(part, &[]);
     let of_own = |letter: &str| {
         let protocol = own.iter().find(|protocol| protocol.name.starts_with(letter))?;
-        told(protocol, trained, |_| true)
+        evaluate(protocol, trained, |_| true)
     };
-    let right = |told: &Option<[Part; 2]>, at: usize| {
+    let right = |told: &Option<[ClassificationMetrics; 2]>, at: usize| {
         told.as_ref()
             .map_or("–".into(), |parts| format!("{:.1} %", 100.0 * parts[at].by_vehicle.mean_over_classes))
     };

@@ -36,7 +36,7 @@ pub(super) fn page(settings: &ProtocolSettings, datasets: &[DatasetFolder]) -> R
     }
     let iterations = settings.iterations.unwrap_or(PAPER_ITERATIONS);
     let shards: Vec<PathBuf> = datasets.iter().flat_map(|dataset| dataset.shards.clone()).collect();
-    let program = network::built()?;
+    let program = network::build_program()?;
     let work = Work::begin("training");
     let mut rows = vec![PAPER.map(str::to_owned)];
     let mut curves = Vec::new();
@@ -46,7 +46,7 @@ pub(super) fn page(settings: &ProtocolSettings, datasets: &[DatasetFolder]) -> R
             let mut command = Command::new(&program);
             command.args(["--deal", deal, "--seed", &seed.to_string()]);
             command.args(["--iterations", &iterations.to_string()]);
-            told.push(network::ran(command, &shards, &work, settings.tell)?);
+            told.push(network::run_program(command, &shards, &work, settings.tell)?);
         }
         rows.push(row(name, parted, &told));
         curves.push((name, told[0]["curves"].clone()));

@@ -2,8 +2,8 @@
 //! takes most of a first build, so it is built on demand, and runs as a separate process.
 
 use crate::training::settings::{PAPER_ITERATIONS, TrainingSettings};
+use pipeline::host::default_paths;
 use pipeline::host::failure::Failure;
-use pipeline::host::places;
 use pipeline::host::progress::Work;
 use serde_json::Value;
 use std::io::{BufRead, BufReader};
@@ -15,15 +15,15 @@ pub const PROGRAM: &str = "classifier-training";
 
 /// Trains the network by the program with the learning library.
 pub(super) fn train(settings: &TrainingSettings, shards: &[PathBuf]) -> Result<(), Failure> {
-    let mut command = Command::new(built()?);
+    let mut command = Command::new(build_program()?);
     command.arg("--out").arg(&settings.out);
     let iterations = settings.iterations.unwrap_or(PAPER_ITERATIONS);
     command.args(["--seed", &settings.seed.to_string(), "--iterations", &iterations.to_string()]);
-    ran(command, shards, &Work::begin("training"), settings.tell).map(drop)
+    run_program(command, shards, &Work::begin("training"), settings.tell).map(drop)
 }
 
 /// Runs the program on shards; returns its metrics if requested.
-pub(crate) fn ran(
+pub(crate) fn run_program(
     mut command: Command,
     shards: &[PathBuf],
     work: &Work,
@@ -32,7 +32,7 @@ pub(crate) fn ran(
     command.arg("--").args(shards);
     command.env("RAYON_NUM_THREADS", rayon::current_num_threads().to_string());
     let child = command.stdin(Stdio::null()).stdout(Stdio::piped()).spawn();
-    heard(child.map_err(|e| Failure::System(format!("{PROGRAM}: cannot be run: {e}")))?, work, tell)
+    follow_output(child.map_err(|e| Failure::System(format!("{PROGRAM}: cannot be run: {e}")))?, work, tell)
 }
 
 /// Build folder of the training program: its dependencies have other features than those of the main job, and
@@ -42,8 +42,8 @@ pub fn target_folder(project: &Path) -> PathBuf {
 }
 
 /// Builds the program if its code has changed, and returns its place as cargo reports it.
-pub(crate) fn built() -> Result<PathBuf, Failure> {
-    let project = places::project_folder().ok_or_else(|| {
+pub(crate) fn build_program() -> Result<PathBuf, Failure> {
+    let project = default_paths::project_folder().ok_or_else(|| {
         let rule = "it is built from the project's source: run this inside the project's folder, or name that in WAYSIDE_PROJECT";
         Failure::System(format!("{PROGRAM}: {rule}"))
     })?;
@@ -87,7 +87,7 @@ fn program_of(message: &Value) -> Option<PathBuf> {
 }
 
 /// Passes on the program's output until it ends.
-fn heard(mut child: Child, work: &Work, tell: &dyn Fn(&str)) -> Result<Value, Failure> {
+fn follow_output(mut child: Child, work: &Work, tell: &dyn Fn(&str)) -> Result<Value, Failure> {
     let (mut ended_badly, mut answer) = (None, Value::Null);
     for line in child
         .stdout

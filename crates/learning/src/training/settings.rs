@@ -1,6 +1,6 @@
 //! Settings of a training.
 
-use classifier::{BothSettings, ProfileSettings, SignatureTraining, TreeSettings};
+use classifier::{CombinedSettings, ProfileSettings, SignatureTraining, TreeSettings};
 use std::path::PathBuf;
 
 /// Default number of the network's optimizer steps: the paper's number.
@@ -26,7 +26,7 @@ impl Learner {
         match self {
             Self::Profile => Some(SignatureTraining::Profile(ProfileSettings::default())),
             Self::Trees => Some(SignatureTraining::Trees(TreeSettings::default())),
-            Self::Both => Some(SignatureTraining::Both(BothSettings::default())),
+            Self::Both => Some(SignatureTraining::Both(CombinedSettings::default())),
             Self::Paper => None,
         }
     }

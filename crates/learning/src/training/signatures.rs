@@ -1,12 +1,15 @@
 //! Models of signatures from datasets: `weights.model`, `metrics.json`, `curves.csv`.
 
-use crate::training::interval_text::told_interval;
+use crate::training::interval_text::interval_text;
 use crate::training::lone_vehicles::note_lone_vehicles;
 use crate::training::settings::TrainingSettings;
 use artifact::model::Model;
 use artifact::{Provenance, Writer, bounded};
-use classifier::{CURVES_FILE, METRICS_FILE, Part, Sightings, SignatureTraining, Trained, WEIGHTS_FILE};
-use pipeline::chain::loaded_model::{of_classifier, of_classifier_about};
+use classifier::{
+    CURVES_FILE, ClassificationMetrics, METRICS_FILE, Sightings, SignatureTraining, TrainedModel,
+    WEIGHTS_FILE,
+};
+use pipeline::chain::loaded_model::{classifier_failure, classifier_failure_about};
 use pipeline::chain::loading;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
@@ -24,15 +27,15 @@ pub(super) fn train(
     datasets: &[Vec<PathBuf>],
 ) -> Result<(), Failure> {
     let attributions = attributions(settings)?;
-    let (sightings, inputs) = loading::read_of(&datasets.concat(), || sightings(datasets))?;
+    let (sightings, inputs) = loading::read_hashed(&datasets.concat(), || sightings(datasets))?;
     let work = Work::begin("training");
     let trained = training.train(&sightings, settings.seed, &mut |at, of| work.at(at, of));
-    let mut trained = trained.map_err(of_classifier)?;
+    let mut trained = trained.map_err(classifier_failure)?;
     drop(work);
     note_lone_vehicles(&sightings);
     trained.header.attributions = attributions;
     save(settings, training, &trained, &provenance(settings, training, inputs)?)?;
-    told(&trained).iter().for_each(|line| (settings.tell)(line));
+    result_lines(&trained).iter().for_each(|line| (settings.tell)(line));
     Ok(())
 }
 
@@ -41,7 +44,7 @@ fn sightings(datasets: &[Vec<PathBuf>]) -> Result<Sightings, Failure> {
     for (number, shards) in datasets.iter().enumerate() {
         for shard in shards {
             let added = sightings.add(number, classifier::samples_of(shard));
-            added.map_err(of_classifier_about(shard))?;
+            added.map_err(classifier_failure_about(shard))?;
         }
     }
     Ok(sightings)
@@ -72,7 +75,7 @@ fn provenance(
 fn save(
     settings: &TrainingSettings,
     training: &SignatureTraining,
-    trained: &Trained,
+    trained: &TrainedModel,
     provenance: &Provenance,
 ) -> Result<(), Failure> {
     let mut metrics = serde_json::to_vec_pretty(&trained.metrics).map_err(Failure::refused)?;
@@ -93,10 +96,10 @@ fn save(
     Ok(writer.finish()?)
 }
 
-fn told(trained: &Trained) -> Vec<String> {
+fn result_lines(trained: &TrainedModel) -> Vec<String> {
     let m = &trained.metrics;
-    let line = |name: &str, part: &Part| {
-        let interval = told_interval(part.by_vehicle.interval);
+    let line = |name: &str, part: &ClassificationMetrics| {
+        let interval = interval_text(part.by_vehicle.interval);
         let (right, ece) =
             (100.0 * part.by_vehicle.mean_over_classes, 100.0 * part.evaluation.calibration.expected_error);
         let (of, vehicles) = (part.by_vehicle.answers, part.by_vehicle.vehicles);

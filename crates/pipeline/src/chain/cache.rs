@@ -6,31 +6,31 @@
 //! holds the parts of the last key, so that a plan can say which of them changed.
 //!
 //! A folder is used as a cache only if it is marked as one (`marker`), and only files with the names of a
-//! cache's files are removed from it (`own_files`): whatever folder `--cache` names, nothing else in it is
+//! cache's files are removed from it (`cache_files`): whatever folder `--cache` names, nothing else in it is
 //! touched.
 
 mod marker;
-mod own_files;
-mod sealed;
+mod cache_files;
+mod checksummed_json;
 
 use crate::chain::keys::Key;
 use crate::chain::stages::Stage;
-use crate::host::checkpoint::KeptWork;
+use crate::host::checkpoint::SavedWork;
+use crate::host::default_paths;
 use crate::host::failure::Failure;
-use crate::host::places;
 use crate::host::progress;
 use artifact::{ArtifactError, Fault, Provenance, Reader, Schema, Writer};
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use std::time::SystemTime;
 
-pub(crate) use own_files::OwnFile;
+pub(crate) use cache_files::CacheFile;
 
 /// Folder of a cache and the size to which it may grow.
 #[derive(Debug, Clone)]
 pub struct CacheLocation {
     /// Folder of the cache. `None`: `.cache` of the project's folder, or outside the project the user's cache
-    /// folder, if there is one (`host::places`).
+    /// folder, if there is one (`host::default_paths`).
     pub folder: Option<PathBuf>,
     /// Total size of the entries above which the oldest are removed, MiB.
     pub limit_mib: u64,
@@ -57,7 +57,9 @@ impl Cache {
     /// Opens the folder, which is created with the first entry if it is missing. Refuses a folder that is no
     /// cache. `None` if no folder is given and there is no default.
     pub fn open(location: &CacheLocation) -> Result<Option<Self>, Failure> {
-        let Some(root) = location.folder.clone().or_else(places::default_cache) else { return Ok(None) };
+        let Some(root) = location.folder.clone().or_else(default_paths::default_cache) else {
+            return Ok(None);
+        };
         marker::check(&root)?;
         Ok(Some(Self { root, limit_bytes: location.limit_mib << 20, marked: OnceLock::new() }))
     }
@@ -78,8 +80,8 @@ impl Cache {
     /// Refuses a cache folder that holds, or is, an output folder: results are permanent, while a cache
     /// removes files with the names of its own. A cache below an output folder is allowed.
     pub fn apart_from<'a>(&self, outs: impl IntoIterator<Item = &'a Path>) -> Result<(), Failure> {
-        let root = places::resolved(&self.root);
-        match outs.into_iter().find(|out| places::resolved(out).starts_with(&root)) {
+        let root = default_paths::resolved(&self.root);
+        match outs.into_iter().find(|out| default_paths::resolved(out).starts_with(&root)) {
             Some(out) => Err(Failure::System(format!(
                 "{}: --out and --cache have to be two folders, and no result lies within a cache ({})",
                 out.display(),
@@ -127,13 +129,13 @@ impl Cache {
 
     /// Key that this frame of this scene had when it was last computed; a damaged file is named and ignored.
     pub(crate) fn last_key(&self, stage: Stage, scene: &str, frame: u32) -> Option<Key> {
-        sealed::read(&self.last_place(stage, scene, frame))
+        checksummed_json::read(&self.last_place(stage, scene, frame))
     }
 
     /// Remembers the key that this frame of this scene has now.
     pub(crate) fn remember_key(&self, stage: Stage, scene: &str, frame: u32, key: &Key) {
         if self.is_marked() {
-            sealed::write(&self.last_place(stage, scene, frame), key); // only explanations need it
+            checksummed_json::write(&self.last_place(stage, scene, frame), key); // only explanations need it
         }
     }
 
@@ -144,15 +146,15 @@ impl Cache {
     }
 
     /// All files that belong to the cache, oldest first.
-    pub fn files(&self) -> Vec<OwnFile> {
-        let mut files = own_files::of(&self.root).files;
+    pub fn files(&self) -> Vec<CacheFile> {
+        let mut files = cache_files::list(&self.root).files;
         files.sort_by(|a, b| (a.used, &a.path).cmp(&(b.used, &b.path)));
         files
     }
 
     /// Removes the oldest files until the rest is within the limit, and temporary files of ended writers.
     pub fn trim(&self) {
-        own_files::sweep(&self.root);
+        cache_files::remove_temporary_files(&self.root);
         let files = self.files();
         let mut bytes: u64 = files.iter().map(|file| file.bytes).sum();
         for file in &files {
@@ -167,7 +169,7 @@ impl Cache {
 
     /// Empties the cache; its mark and foreign files stay.
     pub fn clear(&self) -> Result<(), Failure> {
-        own_files::sweep(&self.root);
+        cache_files::remove_temporary_files(&self.root);
         for file in self.files() {
             match std::fs::remove_file(&file.path) {
                 Err(e) if e.kind() != std::io::ErrorKind::NotFound => {
@@ -176,7 +178,7 @@ impl Cache {
                 _ => {}
             }
         }
-        own_files::remove_empty_folders(&self.root);
+        cache_files::remove_empty_folders(&self.root);
         Ok(())
     }
 
@@ -190,9 +192,9 @@ impl Cache {
         if !place.is_file() {
             return None;
         }
-        match whole::<S>(&place, key, content) {
+        match read_entry::<S>(&place, key, content) {
             Ok(entry) => {
-                renew(&place);
+                touch(&place);
                 Some(entry)
             }
             Err(why) => {
@@ -204,7 +206,7 @@ impl Cache {
 
     fn keep<S: Schema>(&self, stage: Stage, key: &Key, header: &S::Header, frames: &[&S::Frame]) {
         let place = self.place(stage, key, S::NAME);
-        if !self.is_marked() || own_files::is_link(&place) {
+        if !self.is_marked() || cache_files::is_link(&place) {
             return;
         }
         let provenance =
@@ -214,14 +216,14 @@ impl Cache {
             writer.finish()
         });
         if let Err(error) = written {
-            failed(KeptWork::UntilFailure, &error);
+            failed(SavedWork::UntilFailure, &error);
         }
     }
 
     /// Creates and marks the folder before the first file is put into it.
     fn is_marked(&self) -> bool {
         *self.marked.get_or_init(|| {
-            marker::set(&self.root).map_err(|error| failed(KeptWork::Nothing, &error)).is_ok()
+            marker::set(&self.root).map_err(|error| failed(SavedWork::Nothing, &error)).is_ok()
         })
     }
 }
@@ -245,7 +247,7 @@ enum EntryFault {
 }
 
 /// Reads an entry to its end.
-fn whole<S: Schema>(
+fn read_entry<S: Schema>(
     place: &Path,
     key: &Key,
     content: Content,
@@ -262,7 +264,7 @@ fn whole<S: Schema>(
     Ok((reader.into_header(), frame))
 }
 
-fn renew(place: &Path) {
+fn touch(place: &Path) {
     if let Ok(file) = std::fs::File::options().append(true).open(place) {
         let _ = file.set_modified(SystemTime::now()); // only the order of eviction hangs on it
     }
@@ -272,7 +274,7 @@ fn renew(place: &Path) {
 /// later, and a link does not belong to the cache.
 fn discard(place: &Path, why: &EntryFault) {
     let is_unread = matches!(why, EntryFault::Artifact(ArtifactError { fault: Fault::System { .. }, .. }));
-    if is_unread || own_files::is_link(place) {
+    if is_unread || cache_files::is_link(place) {
         progress::note(format!("note: cache entry not used: {why}"));
     } else {
         progress::note(format!("note: damaged cache entry removed, it is made anew: {why}"));
@@ -281,15 +283,15 @@ fn discard(place: &Path, why: &EntryFault) {
 }
 
 /// Part of the finished work that is in the cache since its first failure.
-static SINCE_FAILURE: OnceLock<KeptWork> = OnceLock::new();
+static SINCE_FAILURE: OnceLock<SavedWork> = OnceLock::new();
 
 /// Part of the finished work that the next run finds in this process's cache.
-pub fn kept_work() -> KeptWork {
-    SINCE_FAILURE.get().copied().unwrap_or(KeptWork::All)
+pub fn saved_work() -> SavedWork {
+    SINCE_FAILURE.get().copied().unwrap_or(SavedWork::All)
 }
 
 /// Reports the first failure only: a full disk or a protected folder fails for every entry.
-fn failed(kept: KeptWork, error: &dyn std::fmt::Display) {
+fn failed(kept: SavedWork, error: &dyn std::fmt::Display) {
     SINCE_FAILURE.get_or_init(|| {
         progress::note(format!("note: not cached: {error}"));
         kept

@@ -14,7 +14,7 @@ pub struct ClassRule {
 
 impl ClassRule {
     /// Predicted class, or "unknown".
-    pub fn told(&self, probabilities: &[f32; 4]) -> Predicted {
+    pub fn predict(&self, probabilities: &[f32; 4]) -> Predicted {
         let likeliest =
             (0..4).fold(0, |best, i| if probabilities[i] > probabilities[best] { i } else { best });
         if probabilities[likeliest] >= self.least_probability {
@@ -26,7 +26,7 @@ impl ClassRule {
 
     /// Probabilities of a track from the sums of their logarithms over its frames. Frames of one vehicle are
     /// correlated, so n of them count as n/(1 + (n − 1)ρ), as does the mean of values of correlation ρ.
-    pub(crate) fn joined(&self, log_sums: &[f64; 4], frames: u32) -> [f32; 4] {
+    pub(crate) fn combined(&self, log_sums: &[f64; 4], frames: u32) -> [f32; 4] {
         let more = f64::from(frames.max(1) - 1);
         let per_frame = 1.0 / (1.0 + more * f64::from(self.frame_correlation));
         let largest = log_sums.iter().copied().fold(f64::NEG_INFINITY, f64::max);
@@ -66,7 +66,7 @@ mod tests {
         let p = [0.6_f64, 0.2, 0.1, 0.1];
         let joined = |frames: u32, frame_correlation: f32| {
             let rule = ClassRule { least_probability: 0.5, frame_correlation };
-            rule.joined(&p.map(|p| f64::from(frames) * p.ln()), frames)[0]
+            rule.combined(&p.map(|p| f64::from(frames) * p.ln()), frames)[0]
         };
         assert!((joined(1, 0.5) - 0.6).abs() < 1e-6 && (joined(9, 1.0) - 0.6).abs() < 1e-6);
         // Independent: 0.6³/(0.6³ + 0.2³ + 2·0.1³).
@@ -77,7 +77,7 @@ mod tests {
     #[test]
     fn a_class_that_is_not_likely_enough_is_unknown() {
         let rule = ClassRule { least_probability: 0.5, frame_correlation: 0.5 };
-        assert_eq!(rule.told(&[0.1, 0.2, 0.6, 0.1]), Predicted::Class(Class::Truck));
-        assert_eq!(rule.told(&[0.3, 0.2, 0.4, 0.1]), Predicted::Unknown);
+        assert_eq!(rule.predict(&[0.1, 0.2, 0.6, 0.1]), Predicted::Class(Class::Truck));
+        assert_eq!(rule.predict(&[0.3, 0.2, 0.4, 0.1]), Predicted::Unknown);
     }
 }

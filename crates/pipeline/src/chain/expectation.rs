@@ -21,7 +21,8 @@ pub struct Expectation {
     pub seconds: f64,
     /// Part of these seconds that the program's start takes, once for any number of scenes.
     pub start_seconds: f64,
-    /// Counts of the expected contents of memory ([`Load::held`](crate::chain::memory_estimate::Load::held)).
+    /// Counts of the expected contents of memory
+    /// ([`MemoryLoad::held`](crate::chain::memory_estimate::MemoryLoad::held)).
     pub held: [f64; rates::HELD_KINDS],
     /// Expected peak memory, MiB.
     pub expected_memory_mib: f64,
@@ -54,7 +55,7 @@ impl Expectation {
 
 /// Expected time and memory of consecutive runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Total {
+pub struct ExpectedTotal {
     frames: usize,
     seconds: f64,
     start_seconds: f64,
@@ -62,7 +63,7 @@ pub struct Total {
     memory_mib: f64,
 }
 
-impl Total {
+impl ExpectedTotal {
     /// Total of one run of the given number of frames.
     pub fn of(expected: &Expectation, frames: usize) -> Self {
         let Expectation { seconds, start_seconds, expected_memory_mib, memory_mib, .. } = *expected;
@@ -88,10 +89,10 @@ impl Total {
             "{} frames: {} s, {} to {} s of processor time; about {} s on {threads} threads; about {:.0} \
              MiB, at most {:.0} MiB",
             self.frames,
-            told(self.seconds),
-            told(self.seconds / rates::SPREAD),
-            told(self.seconds * rates::SPREAD),
-            told(rates::wall_seconds(self.seconds, threads)),
+            rounded(self.seconds),
+            rounded(self.seconds / rates::SPREAD),
+            rounded(self.seconds * rates::SPREAD),
+            rounded(rates::wall_seconds(self.seconds, threads)),
             self.expected_memory_mib,
             self.memory_mib,
         )
@@ -118,7 +119,7 @@ fn named(stages: &[&str]) -> String {
 }
 
 /// Text of seconds to two digits.
-fn told(seconds: f64) -> String {
+fn rounded(seconds: f64) -> String {
     let digits = (1.0 - seconds.max(0.1).log10().floor()).max(0.0) as usize;
     format!("{seconds:.digits$}")
 }
@@ -129,7 +130,7 @@ mod tests {
 
     #[test]
     fn runs_one_after_the_other_start_once_and_hold_what_the_largest_holds() {
-        let of = |frames, seconds, memory_mib| Total {
+        let of = |frames, seconds, memory_mib| ExpectedTotal {
             frames,
             seconds,
             start_seconds: 0.5,

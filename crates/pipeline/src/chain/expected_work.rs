@@ -7,16 +7,16 @@ use glam::DVec3;
 use std::collections::BTreeMap;
 use std::sync::{Mutex, OnceLock, PoisonError};
 
-/// Looks taken so far, by frame, and the size of the scene's meshes.
+/// Probes taken so far, by frame, and the size of the scene's meshes.
 #[derive(Default)]
-pub(crate) struct Looks {
+pub(crate) struct FrameProbes {
     taken: Mutex<BTreeMap<u32, ExpectedWork>>,
     reach_of_mesh_m: OnceLock<Vec<f64>>,
 }
 
 /// A frame's work, scaled from that of a frame that was looked at.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Look {
+pub(crate) struct ScaledWork {
     pub(crate) work: ExpectedWork,
     /// Facets of this frame per facet of the other.
     pub(crate) facets: f64,
@@ -25,19 +25,19 @@ pub(crate) struct Look {
 }
 
 /// Largest number of frames that are looked at.
-const LOOKED_AT: u32 = 3;
+const PROBED_FRAMES: u32 = 3;
 
 /// Number of frames that one look represents.
-fn span_of_a_look(frames: u32) -> u32 {
-    frames.div_ceil(LOOKED_AT).max(1)
+fn frames_per_probe(frames: u32) -> u32 {
+    frames.div_ceil(PROBED_FRAMES).max(1)
 }
 
 /// Frames of a scene that are looked at: the first of each third.
-pub(crate) fn frames_looked_at(frames: u32) -> impl Iterator<Item = u32> {
-    (0..frames).step_by(span_of_a_look(frames) as usize)
+pub(crate) fn probed_frames(frames: u32) -> impl Iterator<Item = u32> {
+    (0..frames).step_by(frames_per_probe(frames) as usize)
 }
 
-impl Looks {
+impl FrameProbes {
     /// Estimates a frame's work from a look at the first frame of its third of the scene; `expected` looks at
     /// a frame, `triangles` counts the triangles in view of one.
     pub(crate) fn of(
@@ -46,8 +46,8 @@ impl Looks {
         index: u32,
         expected: impl FnOnce(u32) -> Result<ExpectedWork, Failure>,
         triangles: impl Fn(u32) -> usize,
-    ) -> Result<Look, Failure> {
-        let span = span_of_a_look(header.frames);
+    ) -> Result<ScaledWork, Failure> {
+        let span = frames_per_probe(header.frames);
         let at = index / span * span;
         let known = self.taken().get(&at).copied();
         let work = match known {
@@ -59,7 +59,7 @@ impl Looks {
         };
         let facets = triangles(index) as f64 / triangles(at).max(1) as f64;
         let finer = (self.cell_m(header, at) / self.cell_m(header, index)).powi(2);
-        Ok(Look { work, facets, cells: facets * finer })
+        Ok(ScaledWork { work, facets, cells: facets * finer })
     }
 
     /// Size of a frame's largest cells, from the nearest and the fastest of its bodies.

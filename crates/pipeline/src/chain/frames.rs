@@ -3,9 +3,9 @@
 use crate::chain::keys::Key;
 use crate::chain::link::{Chain, FrameProducts};
 use crate::chain::plan::FramePlan;
-use crate::host::call_off::CallOff;
+use crate::host::cancellation::Cancellation;
 use crate::host::failure::Failure;
-use crate::host::in_order::in_order;
+use crate::host::ordered_jobs::run_in_order;
 use crate::host::progress::{FrameStage, Work};
 use std::collections::HashMap;
 
@@ -13,11 +13,11 @@ use std::collections::HashMap;
 /// time as threads and memory allow. `stages` are those that `make` runs.
 ///
 /// # Errors
-/// The first error of `make` or `take`; the work was called off between two frames.
+/// The first error of `make` or `take`; the work was cancelled between two frames.
 pub fn each_frame<T: Send>(
     chain: &Chain,
     (plans, stages): (&[FramePlan], &[FrameStage]),
-    call_off: &CallOff,
+    cancellation: &Cancellation,
     make: impl Fn(&FramePlan) -> Result<T, Failure> + Sync,
     mut take: impl FnMut(T) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
@@ -25,14 +25,14 @@ pub fn each_frame<T: Send>(
     work.at(0, plans.len());
     let at_once = chain.frames_at_once(plans)?;
     chain.share_memory(at_once);
-    let make = |i: usize| call_off.check().and_then(|()| make(&plans[i]));
+    let make = |i: usize| cancellation.check().and_then(|()| make(&plans[i]));
     let mut taken = 0;
     let take = |of_frame: T| {
         taken += 1;
         work.at(taken, plans.len());
         take(of_frame)
     };
-    in_order(&needed_frames(chain, plans), at_once, make, take)
+    run_in_order(&needed_frames(chain, plans), at_once, make, take)
 }
 
 /// Earlier frames that each frame waits for: those with the same poses, whose paths it finds in the cache,

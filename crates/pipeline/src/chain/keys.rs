@@ -194,12 +194,14 @@ pub(crate) fn echo_header(header: &SceneHeader) -> CubeHeader {
 mod tests {
     use super::*;
     use artifact::goal::Goal;
-    use artifact::material::{Backing, Layer, Makeup, Material, MaterialMap, Road, Thickness, Transmission};
+    use artifact::material::{
+        Backing, Layer, Material, MaterialMap, MeshMaterials, Road, Thickness, Transmission,
+    };
     use artifact::radar::{
         Adc, ElementError, ElementSpread, Interferer, Pattern, PatternTable, PhaseNoise, Schedule,
     };
-    use artifact::scene::{Backscatter, Mesh, Placed, RoadWheel, Traffic, Vehicle, Wheel};
-    use artifact::settings::Course;
+    use artifact::scene::{Backscatter, Mesh, RoadWheel, Traffic, Vehicle, VehiclePose, Wheel};
+    use artifact::settings::NetworkLane;
     use num_complex::Complex64;
     use serde_json::Value;
 
@@ -220,7 +222,7 @@ mod tests {
             triangles: vec![[0, 1, 2]],
             material_of_triangle: vec![0],
             materials: vec!["glass".into(), "floor".into()],
-            makeup: Makeup { materials, transmission: Transmission::Ignored },
+            makeup: MeshMaterials { materials, transmission: Transmission::Ignored },
             wheels: vec![RoadWheel { hub_m: [0.5, 0.5, 0.3], radius_m: 0.3, triangles: vec![0] }],
             ..Mesh::default()
         }]
@@ -250,8 +252,12 @@ mod tests {
             offset_s: 0.0,
         };
         let spread = ElementSpread { gain_db: 1.0, phase_rad: 0.1 };
-        let course =
-            Course { number: 4, name: "n_in_0".into(), width_m: 3.0, line_m: vec![[1.0, 2.0], [3.0, 4.0]] };
+        let course = NetworkLane {
+            number: 4,
+            name: "n_in_0".into(),
+            width_m: 3.0,
+            line_m: vec![[1.0, 2.0], [3.0, 4.0]],
+        };
         header.dsp.road.courses = vec![course];
         header.dsp.calibration = vec![Complex64::new(1.0, 0.1)];
         let phase_noise = vec![PhaseNoise { offset_hz: 1e6, dbc_per_hz: -95.0 }];
@@ -269,7 +275,7 @@ mod tests {
         let wheel = Some(Wheel { radius_m: 0.4, angle_rad: 0.1 });
         let kind = TargetKind::Point { rcs_m2: 2.0, wheel };
         let vehicles = ["flow.0", "flow.1"].map(|id| Vehicle { id: id.into(), kind: kind.clone() }).to_vec();
-        let placed = Placed { vehicle: 0, pose: header.targets[0].start };
+        let placed = VehiclePose { vehicle: 0, pose: header.targets[0].start };
         header.traffic = Some(Traffic { vehicles, frames: vec![vec![placed]; 2] });
         header
     }

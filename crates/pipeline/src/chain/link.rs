@@ -7,7 +7,7 @@ mod stage_step;
 
 use crate::chain::cache::Cache;
 use crate::chain::class_rule::ClassRule;
-use crate::chain::expected_work::{Look, Looks};
+use crate::chain::expected_work::{FrameProbes, ScaledWork};
 use crate::chain::frame_result::{FrameResult, Scattering};
 use crate::chain::keys::{FrameKeys, SceneParts};
 use crate::chain::link::stage_sessions::StageSessions;
@@ -17,8 +17,8 @@ use crate::chain::measured_frames::{self, MeasuredFrames};
 use crate::chain::plan::FramePlan;
 use crate::chain::stages::Stage;
 use crate::host::failure::Failure;
-use crate::host::in_order::AtOnce;
 use crate::host::memory::Allowance;
+use crate::host::ordered_jobs::ConcurrencyLimits;
 use crate::host::progress::{self, FrameStage, Work};
 use artifact::classes::{Classes, ClassesFrame};
 use artifact::cube::{Cube, CubeFrame, CubeHeader};
@@ -28,7 +28,7 @@ use artifact::rcs::{Rcs, RcsFrame};
 use artifact::rdm::{Rdm, RdmFrame};
 use artifact::scene::{SceneFrame, SceneHeader};
 use artifact::settings::EchoMode;
-use bart_rcs::FrameSurroundings;
+use bart_rcs::FrameContext;
 use fmcw_echo::EchoError;
 use std::sync::{Arc, OnceLock};
 
@@ -53,10 +53,10 @@ pub struct Chain<'a> {
     model: Option<&'a LoadedModel>,
     parts: SceneParts,
     measured: MeasuredFrames,
-    looks: Looks,
+    probes: FrameProbes,
     memory: Allowance,
     /// Frames that share the memory for tracing; one without plans.
-    at_once: OnceLock<AtOnce>,
+    at_once: OnceLock<ConcurrencyLimits>,
 }
 
 impl<'a> Chain<'a> {
@@ -71,11 +71,11 @@ impl<'a> Chain<'a> {
         Self {
             header,
             sessions: StageSessions::of(header),
-            frames: StageFrames { cache, kept_to: Stage::Classifier, scene: &header.name },
+            frames: StageFrames { cache, cached_to: Stage::Classifier, scene: &header.name },
             model,
             parts: SceneParts::of(header),
             measured: MeasuredFrames::default(),
-            looks: Looks::default(),
+            probes: FrameProbes::default(),
             memory,
             at_once: OnceLock::new(),
         }
@@ -87,8 +87,8 @@ impl<'a> Chain<'a> {
     }
 
     /// Limits the cache to this stage and those before it: later ones are computed anew.
-    pub fn keeping(self, kept_to: Stage) -> Self {
-        Self { frames: StageFrames { kept_to, ..self.frames }, ..self }
+    pub fn caching_up_to(self, cached_to: Stage) -> Self {
+        Self { frames: StageFrames { cached_to, ..self.frames }, ..self }
     }
 
     /// Uses an existing tracer of the same meshes.
@@ -97,13 +97,13 @@ impl<'a> Chain<'a> {
     }
 
     /// Takes over the errors that were measured in another scene of its kind; `hash` covers their inputs.
-    pub fn like(self, measured: measured_frames::Known, hash: &str) -> Self {
+    pub fn with_measured_errors(self, measured: measured_frames::FramesByIndex, hash: &str) -> Self {
         let parts = self.parts.measured_in(hash);
-        Self { measured: MeasuredFrames::of_another(measured), parts, ..self }
+        Self { measured: MeasuredFrames::taking_over(measured), parts, ..self }
     }
 
     /// Frames whose errors were measured so far, for other scenes to take over.
-    pub fn measured(&self) -> measured_frames::Known {
+    pub fn measured(&self) -> measured_frames::FramesByIndex {
         self.measured.all()
     }
 
@@ -129,7 +129,7 @@ impl<'a> Chain<'a> {
         let (rdm, points) = times.time(Stage::Dsp, || self.maps(plan, &cube))?;
         let classes = times.time(Stage::Classifier, || self.classes(plan, &rdm, &points))?;
         let (error, model_error) = scattering.error();
-        let error = error.joined(cube.error);
+        let error = error.merged(cube.error);
         let memory_estimate_mib = self.memory_estimate_mib(plan)?;
         let (StageTimes { seconds, cached }, rule) = (times, self.class_rule());
         let result = FrameResult {
@@ -160,8 +160,8 @@ impl<'a> Chain<'a> {
     }
 
     /// A frame's expected work, scaled from a frame that was looked at.
-    pub(crate) fn look(&self, index: u32) -> Result<Look, Failure> {
-        self.looks.of(self.header, index, |at| self.expected_work(at), |at| self.triangles(at))
+    pub(crate) fn scaled_work(&self, index: u32) -> Result<ScaledWork, Failure> {
+        self.probes.of(self.header, index, |at| self.expected_work(at), |at| self.triangles(at))
     }
 
     /// Expected work of a frame's tracing, from a sample of it.
@@ -183,7 +183,7 @@ impl<'a> Chain<'a> {
             EchoMode::Paths => {
                 let header = artifact_headers::paths_header(self.header);
                 let step = self.frames.step::<Paths>(stage, at, &header, || self.paths(plan, scene))?;
-                self.measured.keep(self.header, scene.index, &step.value);
+                self.measured.record(self.header, scene.index, &step.value);
                 let (index, time_s) = (scene.index, scene.time_s);
                 Ok(step.map(|frame| Scattering::Paths(PathsFrame { index, time_s, ..frame })))
             }
@@ -213,7 +213,7 @@ impl<'a> Chain<'a> {
         };
         let measured = of_another_scene.as_ref().or(in_this_scene.as_ref());
         let progress = &of_stage(scene.index, FrameStage::Scattering, "paths");
-        let surroundings = FrameSurroundings { like: measured.map(Arc::as_ref), progress };
+        let surroundings = FrameContext { like: measured.map(Arc::as_ref), progress };
         let frame = tracer.paths(&view, scene, &surroundings).map_err(|error| refused_in(scene, &error))?;
         let stands = |_: &&Arc<PathsFrame>| self.plan(measured_in).keys.bart_rcs == plan.keys.bart_rcs;
         Ok(match in_this_scene.as_ref().filter(stands) {
@@ -232,7 +232,7 @@ impl<'a> Chain<'a> {
     }
 
     /// Sets how many frames are traced and held at a time; each has its share of the memory.
-    pub fn share_memory(&self, at_once: AtOnce) {
+    pub fn share_memory(&self, at_once: ConcurrencyLimits) {
         let _ = self.at_once.set(at_once);
     }
 
@@ -240,7 +240,7 @@ impl<'a> Chain<'a> {
     /// allowed memory.
     fn tracer(&self, plan: &FramePlan) -> Result<&bart_rcs::Tracer, Failure> {
         self.memory.check(self.least_memory_mib(plan)?)?;
-        let at_once = || *self.at_once.get_or_init(|| AtOnce { workers: 1, held: 1 });
+        let at_once = || *self.at_once.get_or_init(|| ConcurrencyLimits { workers: 1, held: 1 });
         self.sessions.tracer(self.memory, || self.tracing_share(at_once()))
     }
 

@@ -33,19 +33,19 @@ enum Ready {
 impl LoadedModel {
     /// Reads a model file, or the one in a model folder; an unusable model is refused at once, by name.
     pub fn read(place: &Path) -> Result<Self, Failure> {
-        let model = classifier::load_model(place).map(Self::of).map_err(of_classifier_about(place))?;
+        let model = classifier::load_model(place).map(Self::of).map_err(classifier_failure_about(place))?;
         model.ready().map_err(|failure| failure.about(place))?;
         // The files beside the weights are inputs like the weights.
         let folder = if place.is_dir() { Some(place) } else { place.parent() };
         let beside =
             folder.into_iter().flat_map(|folder| classifier::MODEL_FILES.map(|name| folder.join(name)));
-        beside.for_each(|file| artifact::inputs::note(&file));
+        beside.for_each(|file| artifact::inputs::register_path(&file));
         Ok(model)
     }
 
     /// Reads a model from the bytes of a model file.
     pub(crate) fn of_bytes(bytes: &'static [u8]) -> Result<Self, Failure> {
-        classifier::model_of_bytes(bytes).map(Self::of).map_err(of_classifier)
+        classifier::model_of_bytes(bytes).map(Self::of).map_err(classifier_failure)
     }
 
     fn of((header, weights): (ModelHeader, Weights)) -> Self {
@@ -155,12 +155,12 @@ fn by_crops(
 }
 
 /// Converts a classifier's refusal of the content of `place`.
-pub fn of_classifier_about(place: &Path) -> impl Fn(classifier::ClassifierError) -> Failure + '_ {
-    move |error| of_classifier(error).about(place)
+pub fn classifier_failure_about(place: &Path) -> impl Fn(classifier::ClassifierError) -> Failure + '_ {
+    move |error| classifier_failure(error).about(place)
 }
 
 /// Converts a classifier's error: a refused model, or an error of the system.
-pub fn of_classifier(error: classifier::ClassifierError) -> Failure {
+pub fn classifier_failure(error: classifier::ClassifierError) -> Failure {
     match error {
         classifier::ClassifierError::Artifact(error) => error.into(),
         other => Failure::refused(other),

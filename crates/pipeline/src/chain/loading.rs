@@ -8,8 +8,8 @@ use crate::host::failure::Failure;
 use crate::host::progress::{self, Work};
 use crate::host::provenance_checks;
 use artifact::Provenance;
+use artifact::changed_inputs::HashedFile;
 use artifact::scene::{Role, Scene, SceneHeader, Target};
-use artifact::unchanged::SeenFile;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -44,10 +44,10 @@ pub struct LoadedScene {
 pub fn scene(source: &SceneSource, cache: Option<&Cache>) -> Result<LoadedScene, Failure> {
     let start = Instant::now();
     let (model, radar) = (source.model.clone(), source.radar.clone());
-    let options = scene::ReadOptions { model, radar, meshes: scene::Meshes::Whole };
+    let options = scene::ReadOptions { model, radar, meshes: scene::MeshLoading::Whole };
     let name = source.file.display();
     let mut seen = progress::during(format!("looking for changes of {name} and of what it names"), || {
-        seen(&scene::inputs(&source.file, &options).map_err(of_scene)?)
+        file_states(&scene::inputs(&source.file, &options).map_err(scene_failure)?)
     })?;
     let files: Vec<(String, String)> = seen.iter().map(|file| file.named().clone()).collect();
     // A path that is not Unicode enters the key as displayable text; the file's content is among the hashes.
@@ -58,7 +58,7 @@ pub fn scene(source: &SceneSource, cache: Option<&Cache>) -> Result<LoadedScene,
     let cached = known.is_some();
     let mut header = match known {
         Some(header) => header,
-        None => scene::read(&source.file, &options).map_err(of_scene)?,
+        None => scene::read(&source.file, &options).map_err(scene_failure)?,
     };
     if !cached {
         check_unchanged(&mut seen)?; // otherwise the cache would store it under wrong hashes
@@ -101,27 +101,27 @@ pub fn radar_changed(
 ) -> Result<SceneHeader, Failure> {
     let radar = radar.map(str::to_owned);
     let options = scene::ReadOptions { radar, ..scene::ReadOptions::names_only() };
-    scene::read_changed(file, changes, &options).map_err(of_scene)
+    scene::read_changed(file, changes, &options).map_err(scene_failure)
 }
 
 /// The files that this reading depends on, and the models that it leaves unopened.
 pub fn files_of_radar(file: &Path) -> Result<Vec<PathBuf>, Failure> {
     let options = scene::ReadOptions::names_only();
-    scene::inputs(file, &options).map_err(of_scene)
+    scene::inputs(file, &options).map_err(scene_failure)
 }
 
 /// Converts an error of a mesh file: a broken rule, or an error of the system.
-pub fn of_mesh(error: scene::MeshError) -> Failure {
+pub fn mesh_failure(error: scene::MeshError) -> Failure {
     if error.is_system() { Failure::System(error.to_string()) } else { Failure::Refused(error.to_string()) }
 }
 
 /// Converts an error of an OpenMATERIAL 3D material: a broken rule, or an error of the system.
-pub fn of_asset(error: scene::OpenMaterialError) -> Failure {
+pub fn asset_failure(error: scene::OpenMaterialError) -> Failure {
     if error.is_system() { Failure::System(error.to_string()) } else { Failure::Refused(error.to_string()) }
 }
 
 /// Converts an error of a scene: a broken rule, or an error of the system.
-pub fn of_scene(errors: scene::SceneErrors) -> Failure {
+pub fn scene_failure(errors: scene::SceneErrors) -> Failure {
     if errors.is_system() {
         Failure::System(errors.to_string())
     } else {
@@ -130,10 +130,10 @@ pub fn of_scene(errors: scene::SceneErrors) -> Failure {
 }
 
 /// Present state of files, each with its hash.
-pub fn seen(files: &[PathBuf]) -> Result<Vec<SeenFile>, Failure> {
+pub fn file_states(files: &[PathBuf]) -> Result<Vec<HashedFile>, Failure> {
     files
         .iter()
-        .map(|file| SeenFile::of(file).map_err(|error| Failure::system(file, "read", error)))
+        .map(|file| HashedFile::of(file).map_err(|error| Failure::system(file, "read", error)))
         .collect()
 }
 
@@ -141,7 +141,7 @@ pub fn seen(files: &[PathBuf]) -> Result<Vec<SeenFile>, Failure> {
 ///
 /// # Errors
 /// A file has another content now, or is gone.
-pub fn check_unchanged<'a>(files: impl IntoIterator<Item = &'a mut SeenFile>) -> Result<(), Failure> {
+pub fn check_unchanged<'a>(files: impl IntoIterator<Item = &'a mut HashedFile>) -> Result<(), Failure> {
     files.into_iter().try_for_each(|seen| match seen.is_unchanged() {
         Ok(true) => Ok(()),
         Ok(false) => Err(changed(seen.file())),
@@ -160,11 +160,11 @@ pub fn changed(file: &Path) -> Failure {
 ///
 /// # Errors
 /// Those of `read`; a file has another content now than before, is gone, or cannot be read.
-pub fn read_of<T>(
+pub fn read_hashed<T>(
     files: &[PathBuf],
     read: impl FnOnce() -> Result<T, Failure>,
 ) -> Result<(T, Vec<(String, String)>), Failure> {
-    let seen = seen(files);
+    let seen = file_states(files);
     let found = read()?; // reports more about an unreadable file
     let mut seen = seen?;
     check_unchanged(&mut seen)?;
@@ -172,7 +172,7 @@ pub fn read_of<T>(
 }
 
 /// Name and content hash of files.
-pub fn hashed(files: &[PathBuf]) -> Result<Vec<(String, String)>, Failure> {
+pub fn hashes(files: &[PathBuf]) -> Result<Vec<(String, String)>, Failure> {
     let named = |file: &PathBuf| {
         artifact::inputs::named_hash(file).map_err(|error| Failure::system(file, "read", error))
     };
@@ -186,7 +186,7 @@ pub fn model(asked: Option<&Path>) -> Result<Option<LoadedModel>, Failure> {
 
 #[cfg(feature = "classifier")]
 fn shipped() -> Result<Option<LoadedModel>, Failure> {
-    LoadedModel::of_bytes(crate::host::places::SHIPPED_MODEL).map(Some)
+    LoadedModel::of_bytes(crate::host::default_paths::SHIPPED_MODEL).map(Some)
 }
 
 #[cfg(not(feature = "classifier"))]
@@ -199,7 +199,9 @@ fn shipped() -> Result<Option<LoadedModel>, Failure> {
 pub fn provenance(stage: Stage, header: &SceneHeader, inputs: Vec<(String, String)>) -> Provenance {
     let asked = (&header.fidelity, &header.dsp);
     let settings = match stage {
-        Stage::BartRcs => serde_json::to_string(&(asked.0, asked.1, provenance_checks::told_bodies(header))),
+        Stage::BartRcs => {
+            serde_json::to_string(&(asked.0, asked.1, provenance_checks::describe_bodies(header)))
+        }
         _ => serde_json::to_string(&asked),
     };
     Provenance {
@@ -222,12 +224,12 @@ mod tests {
         std::fs::write(&file, "seed = 1").unwrap();
         let files = [file.clone()];
         let read = || std::fs::read_to_string(&file).map_err(Failure::refused);
-        assert_eq!(read_of(&files, read).unwrap(), ("seed = 1".to_owned(), hashed(&files).unwrap()));
+        assert_eq!(read_hashed(&files, read).unwrap(), ("seed = 1".to_owned(), hashes(&files).unwrap()));
         let and_saved = || read().inspect(|_| std::fs::write(&file, "seed = 2").unwrap());
-        let refused = read_of(&files, and_saved).unwrap_err();
+        let refused = read_hashed(&files, and_saved).unwrap_err();
         assert!(refused.to_string().contains("spec.toml: was changed while"), "{refused}");
         std::fs::remove_file(&file).unwrap();
-        assert!(matches!(read_of(&files, read), Err(Failure::Unplaced(_))), "it is the reader's to tell");
+        assert!(matches!(read_hashed(&files, read), Err(Failure::Unplaced(_))), "it is the reader's to tell");
     }
 
     #[test]
@@ -235,7 +237,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let [one, other] = ["one.obj", "other.obj"].map(|name| folder.path().join(name));
         [&one, &other].iter().for_each(|file| std::fs::write(file, "v 0 0 0").unwrap());
-        let mut seen = seen(&[one, other.clone()]).unwrap();
+        let mut seen = file_states(&[one, other.clone()]).unwrap();
         check_unchanged(&mut seen).unwrap();
         std::fs::write(&other, "v 0 0 1").unwrap();
         let refused = check_unchanged(&mut seen).unwrap_err();

@@ -8,23 +8,23 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 /// Frames whose errors were measured in this run, without their paths.
 #[derive(Default)]
 pub(crate) struct MeasuredFrames {
-    own: Mutex<Known>,
+    own: Mutex<FramesByIndex>,
     /// Frames of another scene whose errors this one takes over.
-    taken_over: Known,
+    taken_over: FramesByIndex,
 }
 
 /// Measured frames by frame record.
-pub type Known = BTreeMap<u32, Arc<PathsFrame>>;
+pub type FramesByIndex = BTreeMap<u32, Arc<PathsFrame>>;
 
 impl MeasuredFrames {
     /// Makes the record of a scene that takes over the errors measured in another one.
-    pub(crate) fn of_another(taken_over: Known) -> Self {
+    pub(crate) fn taking_over(taken_over: FramesByIndex) -> Self {
         Self { taken_over, ..Self::default() }
     }
 
     /// All frames whose errors were measured in this scene.
-    pub(crate) fn all(&self) -> Known {
-        self.known().clone()
+    pub(crate) fn all(&self) -> FramesByIndex {
+        self.lock_own().clone()
     }
 
     /// Frame of another scene in which the errors of this frame record were measured.
@@ -33,7 +33,7 @@ impl MeasuredFrames {
     }
 
     /// Keeps frame record `index` if other frames take over its measured errors.
-    pub(crate) fn keep(&self, header: &SceneHeader, index: u32, frame: &PathsFrame) {
+    pub(crate) fn record(&self, header: &SceneHeader, index: u32, frame: &PathsFrame) {
         if header.fidelity.measured_every > 1 && header.measured_in(index) == index {
             let without_paths = PathsFrame {
                 paths: vec![],
@@ -41,15 +41,15 @@ impl MeasuredFrames {
                 trace: frame.trace.clone(),
                 ..*frame
             };
-            self.known().insert(index, Arc::new(without_paths));
+            self.lock_own().insert(index, Arc::new(without_paths));
         }
     }
 
     pub(crate) fn get(&self, index: u32) -> Option<Arc<PathsFrame>> {
-        self.known().get(&index).cloned()
+        self.lock_own().get(&index).cloned()
     }
 
-    fn known(&self) -> MutexGuard<'_, Known> {
+    fn lock_own(&self) -> MutexGuard<'_, FramesByIndex> {
         self.own.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

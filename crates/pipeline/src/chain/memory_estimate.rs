@@ -5,13 +5,13 @@ use crate::chain::expectation::rates::{
     BYTES_PER_BEAM, BYTES_PER_CELL, BYTES_PER_CHANGING_CELL, BYTES_PER_FACET, BYTES_PER_MOVING_CELL,
     BYTES_PER_SLIDING_TILE, HELD_KINDS, PROGRAM_MIB,
 };
-use crate::chain::expected_work::Look;
+use crate::chain::expected_work::ScaledWork;
 use crate::chain::link::Chain;
 use crate::chain::plan::FramePlan;
 use crate::chain::stages::Stage;
 use crate::host::failure::Failure;
-use crate::host::in_order::AtOnce;
 use crate::host::memory::mib;
+use crate::host::ordered_jobs::ConcurrencyLimits;
 use artifact::paths::Path;
 use artifact::scene::Pose;
 use artifact::settings::EchoMode;
@@ -19,7 +19,7 @@ use bart_rcs::MemoryLimit;
 
 /// Expected memory load of a frame, by its causes.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Load {
+pub struct MemoryLoad {
     /// Cubes, maps, paths of the ground and searches of directions.
     pub signal_mib: f64,
     /// Placed facets.
@@ -42,7 +42,7 @@ pub struct Load {
     pub long_tiles: f64,
 }
 
-impl Load {
+impl MemoryLoad {
     /// Least memory of a frame, MiB: signals, facets and lit polygons. The number of cells that an accuracy
     /// takes, and of paths that are dropped, is known only from tracing, which watches their growth.
     pub(crate) fn least_mib(&self) -> f64 {
@@ -83,9 +83,9 @@ impl Chain<'_> {
     }
 
     /// Upper limit of the memory of a run of these plans, MiB: the program, and the largest frame for each
-    /// held frame; and counts of the expected contents ([`Load::held`]).
+    /// held frame; and counts of the expected contents ([`MemoryLoad::held`]).
     pub(crate) fn memory_of_run(&self, plans: &[FramePlan]) -> Result<(f64, [f64; HELD_KINDS]), Failure> {
-        let AtOnce { workers, held } = self.frames_at_once(plans)?;
+        let ConcurrencyLimits { workers, held } = self.frames_at_once(plans)?;
         let largest = self.largest_load(plans)?;
         let triangles: usize = self.header.meshes.iter().map(|mesh| mesh.triangles.len()).sum();
         let most_mib = PROGRAM_MIB + largest.mib() * held as f64;
@@ -95,10 +95,10 @@ impl Chain<'_> {
     /// Number of frames computed at a time, one per thread, and held, one more, which is written meanwhile:
     /// as many as are expected to fit into the allowed memory. The work within a frame is parallel too; its
     /// serial parts run beside other frames.
-    pub fn frames_at_once(&self, plans: &[FramePlan]) -> Result<AtOnce, Failure> {
+    pub fn frames_at_once(&self, plans: &[FramePlan]) -> Result<ConcurrencyLimits, Failure> {
         let threads = rayon::current_num_threads().min(plans.len()).max(1);
         let most = if threads > 1 { threads + 1 } else { 1 };
-        let of_held = |held: usize| AtOnce { workers: threads.min(held), held };
+        let of_held = |held: usize| ConcurrencyLimits { workers: threads.min(held), held };
         let Some(limit_mib) = self.memory().mib().filter(|_| threads > 1) else { return Ok(of_held(most)) };
         let fitting = (limit_mib / (PROGRAM_MIB + self.largest_load(plans)?.mib())) as usize;
         Ok(of_held(most.min(fitting).max(1)))
@@ -106,26 +106,29 @@ impl Chain<'_> {
 
     /// Memory allowed for tracing one of these frames: an equal part, for each traced frame, of the memory
     /// left by the program and by the cubes and maps of the other held frames.
-    pub(crate) fn tracing_share(&self, AtOnce { workers, held }: AtOnce) -> MemoryLimit {
+    pub(crate) fn tracing_share(
+        &self,
+        ConcurrencyLimits { workers, held }: ConcurrencyLimits,
+    ) -> MemoryLimit {
         let of_others_mib = mib(self.signal_bytes()) * held.saturating_sub(1) as f64;
-        self.memory().beside(PROGRAM_MIB + of_others_mib).limit().share_of(workers)
+        self.memory().reduced_by(PROGRAM_MIB + of_others_mib).limit().share_of(workers)
     }
 
     /// Load of the frame with the largest expected memory.
-    pub fn largest_load(&self, plans: &[FramePlan]) -> Result<Load, Failure> {
-        plans.iter().try_fold(Load::default(), |most, plan| {
+    pub fn largest_load(&self, plans: &[FramePlan]) -> Result<MemoryLoad, Failure> {
+        plans.iter().try_fold(MemoryLoad::default(), |most, plan| {
             let load = self.load(plan)?;
             Ok(if load.mib() > most.mib() { load } else { most })
         })
     }
 
-    fn load(&self, plan: &FramePlan) -> Result<Load, Failure> {
-        let signal = Load { signal_mib: mib(self.signal_bytes()), ..Load::default() };
+    fn load(&self, plan: &FramePlan) -> Result<MemoryLoad, Failure> {
+        let signal = MemoryLoad { signal_mib: mib(self.signal_bytes()), ..MemoryLoad::default() };
         if !plan.runs(Stage::BartRcs) {
             return Ok(signal);
         }
-        let Look { work, facets, cells } = self.look(plan.index)?;
-        let bodies = Load {
+        let ScaledWork { work, facets, cells } = self.scaled_work(plan.index)?;
+        let bodies = MemoryLoad {
             facets: facets * work.facets,
             beams: facets * (work.beams[0] + work.beams[1]),
             beams_through_sheets: facets * work.beams_through_sheets,
@@ -133,7 +136,7 @@ impl Chain<'_> {
         };
         Ok(match self.header.fidelity.echo {
             EchoMode::RcsTable => bodies,
-            EchoMode::Paths => Load {
+            EchoMode::Paths => MemoryLoad {
                 cells: cells * work.smaller_cells,
                 changing_cells: if self.moves(plan.index) { cells * work.smaller_cells } else { 0.0 },
                 sliding_tiles: facets * work.sliding_tiles,
@@ -196,7 +199,7 @@ mod tests {
         assert!(of_frame > 1 << 20, "{of_frame} bytes of cubes and maps");
         for (workers, held) in [(1, 1), (2, 3), (4, 4)] {
             let left = limit_bytes - program_bytes - (held as u64 - 1) * of_frame;
-            let share = chain.tracing_share(AtOnce { workers, held });
+            let share = chain.tracing_share(ConcurrencyLimits { workers, held });
             assert_eq!(share, MemoryLimit::of_bytes(left / workers as u64), "{workers} of {held}");
         }
     }

@@ -10,7 +10,7 @@
 //! run leaves at most one incomplete record: reading ends at the first one.
 
 use crate::host::progress;
-use bart_rcs::{Keeper, Piece};
+use bart_rcs::{CheckpointKey, CheckpointStore};
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{Read, Seek, SeekFrom, Write};
@@ -27,13 +27,13 @@ const HEAD_BYTES: usize = size_of::<u32>() + CHECKSUM_BYTES;
 pub struct Checkpoint {
     place: PathBuf,
     head: Vec<u8>,
-    kept: BTreeMap<Piece, Vec<u8>>,
+    kept: BTreeMap<CheckpointKey, Vec<u8>>,
     state: Arc<Mutex<State>>,
 }
 
 /// Part of the finished work (aspects, frames) that the next run of the same work finds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum KeptWork {
+pub enum SavedWork {
     /// Nothing is kept, or nothing is finished yet.
     Nothing,
     /// Everything finished before a write failed, by a full disk for example.
@@ -78,7 +78,7 @@ impl Checkpoint {
         let file =
             is_plain.then(|| File::options().read(true).write(true).open(&checkpoint.place).ok()).flatten();
         if let Some(file) = file {
-            let state = checkpoint.take_up(file).unwrap_or_else(|why| checkpoint.give_up(&why));
+            let state = checkpoint.resume_from(file).unwrap_or_else(|why| checkpoint.give_up(&why));
             *locked(&checkpoint.state) = state;
         }
         checkpoint
@@ -91,13 +91,13 @@ impl Checkpoint {
     }
 
     /// Watch that tells, whenever it is asked, which part of the finished work the next run finds.
-    pub fn watch(&self) -> impl Fn() -> KeptWork + Send + 'static + use<> {
+    pub fn watch(&self) -> impl Fn() -> SavedWork + Send + 'static + use<> {
         let (state, head_bytes) = (Arc::clone(&self.state), self.head.len() as u64);
         move || match &*locked(&state) {
-            State::NotYet | State::GivenUp => KeptWork::Nothing,
-            State::Open(records) if records.whole <= head_bytes => KeptWork::Nothing,
-            State::Open(_) => KeptWork::All,
-            State::Full(_) => KeptWork::UntilFailure,
+            State::NotYet | State::GivenUp => SavedWork::Nothing,
+            State::Open(records) if records.whole <= head_bytes => SavedWork::Nothing,
+            State::Open(_) => SavedWork::All,
+            State::Full(_) => SavedWork::UntilFailure,
         }
     }
 
@@ -110,7 +110,7 @@ impl Checkpoint {
     }
 
     /// Reads the complete records and moves to their end, or begins anew if the file belongs to other work.
-    fn take_up(&mut self, mut file: File) -> std::io::Result<State> {
+    fn resume_from(&mut self, mut file: File) -> std::io::Result<State> {
         file.try_lock().map_err(|_| std::io::Error::other("another run has it"))?;
         let about = file.metadata()?;
         if !about.is_file() {
@@ -154,7 +154,7 @@ impl Checkpoint {
 
     /// The disk is full: what was kept before stays, to its last whole record, and nothing half-written
     /// behind it. Where no record is whole, nothing stays.
-    fn fill(&self, records: Records, why: &std::io::Error) -> State {
+    fn stop_at_full_disk(&self, records: Records, why: &std::io::Error) -> State {
         if records.whole <= self.head.len() as u64 {
             remove(&self.place);
             return self.give_up(why);
@@ -192,12 +192,12 @@ fn remove(place: &Path) {
     let _ = std::fs::remove_file(place);
 }
 
-impl Keeper for Checkpoint {
-    fn kept(&self, piece: Piece) -> Option<&[u8]> {
+impl CheckpointStore for Checkpoint {
+    fn load(&self, piece: CheckpointKey) -> Option<&[u8]> {
         self.kept.get(&piece).map(Vec::as_slice)
     }
 
-    fn keep(&self, piece: Piece, bytes: &[u8]) {
+    fn store(&self, piece: CheckpointKey, bytes: &[u8]) {
         let mut state = locked(&self.state);
         if matches!(*state, State::NotYet) {
             *state = self.create().map_or_else(|why| self.give_up(&why), State::Open);
@@ -206,7 +206,7 @@ impl Keeper for Checkpoint {
         if let Err(why) = records.append(piece, bytes)
             && let State::Open(records) = std::mem::replace(&mut *state, State::GivenUp)
         {
-            *state = self.fill(records, &why);
+            *state = self.stop_at_full_disk(records, &why);
         }
     }
 }
@@ -214,7 +214,7 @@ impl Keeper for Checkpoint {
 impl Records {
     /// One call to the system for a record: a run that is killed has written it or a part of it, and nothing
     /// behind it.
-    fn append(&mut self, piece: Piece, bytes: &[u8]) -> std::io::Result<()> {
+    fn append(&mut self, piece: CheckpointKey, bytes: &[u8]) -> std::io::Result<()> {
         let body = [&piece.pass.to_le_bytes(), &piece.aspect.to_le_bytes(), bytes].concat();
         let length = u32::try_from(body.len()).map_err(std::io::Error::other)?;
         let record = [&length.to_le_bytes(), checksum(&body).as_slice(), &body].concat();
@@ -225,7 +225,7 @@ impl Records {
 }
 
 /// Splits off the first record; `None` if it is incomplete.
-fn record(bytes: &[u8]) -> Option<(Piece, &[u8], &[u8])> {
+fn record(bytes: &[u8]) -> Option<(CheckpointKey, &[u8], &[u8])> {
     let (head, rest) = bytes.split_at_checked(HEAD_BYTES)?;
     let (length, sum) = head.split_first_chunk()?;
     let (body, rest) = rest.split_at_checked(u32::from_le_bytes(*length) as usize)?;
@@ -234,7 +234,11 @@ fn record(bytes: &[u8]) -> Option<(Piece, &[u8], &[u8])> {
     }
     let (pass, body) = body.split_first_chunk()?;
     let (aspect, bytes) = body.split_first_chunk()?;
-    Some((Piece { pass: u32::from_le_bytes(*pass), aspect: u32::from_le_bytes(*aspect) }, bytes, rest))
+    Some((
+        CheckpointKey { pass: u32::from_le_bytes(*pass), aspect: u32::from_le_bytes(*aspect) },
+        bytes,
+        rest,
+    ))
 }
 
 fn checksum(bytes: &[u8]) -> [u8; CHECKSUM_BYTES] {
@@ -247,12 +251,15 @@ fn checksum(bytes: &[u8]) -> [u8; CHECKSUM_BYTES] {
 mod tests {
     use super::*;
 
-    const PIECES: [Piece; 3] =
-        [Piece { pass: 0, aspect: 7 }, Piece { pass: 0, aspect: 2 }, Piece { pass: 1, aspect: 0 }];
+    const PIECES: [CheckpointKey; 3] = [
+        CheckpointKey { pass: 0, aspect: 7 },
+        CheckpointKey { pass: 0, aspect: 2 },
+        CheckpointKey { pass: 1, aspect: 0 },
+    ];
 
     fn written(out: &Path) -> Vec<u8> {
         let checkpoint = Checkpoint::open(out, "key");
-        PIECES.iter().for_each(|piece| checkpoint.keep(*piece, &piece.aspect.to_le_bytes()));
+        PIECES.iter().for_each(|piece| checkpoint.store(*piece, &piece.aspect.to_le_bytes()));
         drop(checkpoint); // as when the run is killed
         std::fs::read(beside(out)).unwrap()
     }
@@ -263,7 +270,8 @@ mod tests {
 
     fn kept(out: &Path, key: &str) -> Vec<bool> {
         let checkpoint = Checkpoint::open(out, key);
-        let is_kept = |piece: &Piece| checkpoint.kept(*piece) == Some(&piece.aspect.to_le_bytes()[..]);
+        let is_kept =
+            |piece: &CheckpointKey| checkpoint.load(*piece) == Some(&piece.aspect.to_le_bytes()[..]);
         PIECES.iter().map(is_kept).collect()
     }
 
@@ -328,21 +336,21 @@ mod tests {
         let out = folder.path().join("s.npy");
         let checkpoint = Checkpoint::open(&out, "key");
         let found = checkpoint.watch();
-        assert_eq!(found(), KeptWork::Nothing, "no aspect is finished");
-        checkpoint.keep(PIECES[0], b"first");
-        assert_eq!(found(), KeptWork::All);
+        assert_eq!(found(), SavedWork::Nothing, "no aspect is finished");
+        checkpoint.store(PIECES[0], b"first");
+        assert_eq!(found(), SavedWork::All);
         let other = Checkpoint::open(&out, "key");
-        other.keep(PIECES[1], b"second");
-        assert_eq!(other.watch()(), KeptWork::Nothing, "the first has the file");
+        other.store(PIECES[1], b"second");
+        assert_eq!(other.watch()(), SavedWork::Nothing, "the first has the file");
         let full = |state: State| match state {
-            State::Open(records) => checkpoint.fill(records, &std::io::Error::other("full")),
+            State::Open(records) => checkpoint.stop_at_full_disk(records, &std::io::Error::other("full")),
             closed => closed,
         };
         let open = std::mem::replace(&mut *locked(&checkpoint.state), State::GivenUp);
         *locked(&checkpoint.state) = full(open);
-        assert_eq!(found(), KeptWork::UntilFailure);
+        assert_eq!(found(), SavedWork::UntilFailure);
         checkpoint.finish();
-        assert_eq!(found(), KeptWork::Nothing, "the result is written");
+        assert_eq!(found(), SavedWork::Nothing, "the result is written");
     }
 
     #[test]
@@ -350,9 +358,9 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let out = folder.path().join("s.npy");
         written(&out);
-        assert_eq!(Checkpoint::open(&out, "other").watch()(), KeptWork::Nothing);
+        assert_eq!(Checkpoint::open(&out, "other").watch()(), SavedWork::Nothing);
         written(&out);
-        assert_eq!(Checkpoint::open(&out, "key").watch()(), KeptWork::All);
+        assert_eq!(Checkpoint::open(&out, "key").watch()(), SavedWork::All);
     }
 
     #[test]
@@ -360,14 +368,14 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let out = folder.path().join("s.npy");
         let first = Checkpoint::open(&out, "key");
-        first.keep(PIECES[0], b"first");
+        first.store(PIECES[0], b"first");
         let second = Checkpoint::open(&out, "key");
-        second.keep(PIECES[1], b"second");
-        assert!(second.kept(PIECES[0]).is_none());
+        second.store(PIECES[1], b"second");
+        assert!(second.load(PIECES[0]).is_none());
         second.finish();
         assert!(beside(&out).exists(), "the first still has it");
-        first.keep(PIECES[1], b"too");
+        first.store(PIECES[1], b"too");
         drop(first);
-        assert_eq!(Checkpoint::open(&out, "key").kept(PIECES[1]), Some(&b"too"[..]));
+        assert_eq!(Checkpoint::open(&out, "key").load(PIECES[1]), Some(&b"too"[..]));
     }
 }

@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 
 /// Files made from all shards, in the order of their writing: a line per sample, a line per scene, and the
 /// errors of all vehicles.
-pub const CONCLUSION: [&str; 3] = ["manifest.jsonl", SCENES, "detection.md"];
+pub const SUMMARY_FILES: [&str; 3] = ["manifest.jsonl", SCENES, "detection.md"];
 const SCENES: &str = "scenes.jsonl";
 
 /// A folder of a dataset with all its shards.
@@ -38,11 +38,11 @@ impl DatasetFolder {
             return Err(Failure::System(format!("{}: no shards of a dataset here", folder.display())));
         }
         for shard in &shards {
-            inputs::note(shard);
-            inputs::note(&lines_of(shard));
+            inputs::register_path(shard);
+            inputs::register_path(&lines_file(shard));
         }
-        CONCLUSION.iter().for_each(|name| inputs::note(&folder.join(name)));
-        all_are_there(folder, &shards)?;
+        SUMMARY_FILES.iter().for_each(|name| inputs::register_path(&folder.join(name)));
+        check_completeness(folder, &shards)?;
         Ok(Self { folder: folder.to_owned(), shards })
     }
 
@@ -53,29 +53,29 @@ impl DatasetFolder {
     /// both training and test.
     pub fn open_all(folders: &[PathBuf]) -> Result<Vec<Self>, Failure> {
         let opened: Vec<Self> = folders.iter().map(|folder| Self::open(folder)).collect::<Result<_, _>>()?;
-        none_twice(opened.iter().flat_map(|folder| &folder.shards))?;
+        check_duplicates(opened.iter().flat_map(|folder| &folder.shards))?;
         Ok(opened)
     }
 }
 
 /// File with a line for each scene of a shard.
-pub fn lines_of(shard: &Path) -> PathBuf {
+pub fn lines_file(shard: &Path) -> PathBuf {
     shard.with_extension("jsonl")
 }
 
 /// Part of a scene's line that names the shard of its samples.
 #[derive(Deserialize)]
-struct OfShard {
+struct SceneLine {
     file: Option<String>,
 }
 
 /// Checks the shards of a folder against those that its `scenes.jsonl` names.
-fn all_are_there(folder: &Path, shards: &[PathBuf]) -> Result<(), Failure> {
+fn check_completeness(folder: &Path, shards: &[PathBuf]) -> Result<(), Failure> {
     let scenes = folder.join(SCENES);
     let file = match bounded::open(&scenes) {
         Ok(file) => file,
         Err(error) if error.kind() == ErrorKind::NotFound => {
-            unconcluded(folder, shards.len());
+            note_unfinished(folder, shards.len());
             return Ok(());
         }
         Err(error) => return Err(Failure::system(&scenes, "read", error)),
@@ -92,7 +92,7 @@ fn all_are_there(folder: &Path, shards: &[PathBuf]) -> Result<(), Failure> {
         ));
     }
     let lacks = named.iter().find(|name| !here.contains(folder.join(name).as_path()));
-    lacks.map_or(Ok(()), |name| Err(lacking(folder, name)))
+    lacks.map_or(Ok(()), |name| Err(missing_shard(folder, name)))
 }
 
 /// Largest line of a scene, bytes: a thousand frames of sixteen vehicles.
@@ -108,7 +108,7 @@ fn shards_named(file: File, scenes: &Path) -> Result<BTreeSet<String>, Failure> 
         if read.map_err(|error| Failure::system(scenes, "read", error))? == 0 {
             break;
         }
-        let told: OfShard = serde_json::from_slice(&line).map_err(|error| {
+        let told: SceneLine = serde_json::from_slice(&line).map_err(|error| {
             Failure::Refused(format!("{}:{number}: is no line of a scene: {error}", scenes.display()))
         })?;
         named.extend(told.file);
@@ -116,21 +116,21 @@ fn shards_named(file: File, scenes: &Path) -> Result<BTreeSet<String>, Failure> 
     Ok(named)
 }
 
-fn unconcluded(folder: &Path, shards: usize) {
+fn note_unfinished(folder: &Path, shards: usize) {
     let folder = folder.display();
     progress::note(format!(
         "note: {folder}: has no {SCENES}, so whether shards lack is not known; the {shards} here are taken"
     ));
 }
 
-fn lacking(folder: &Path, shard: &str) -> Failure {
+fn missing_shard(folder: &Path, shard: &str) -> Failure {
     let rule = "is not there, and scenes.jsonl tells of its scenes; `dataset` makes it anew";
     Failure::System(format!("{}: {rule}", folder.join(shard).display()))
 }
 
 /// Refuses two shards with the same bytes; only shards of equal length are read. Shards without samples, in
 /// whose scenes nothing was found, are all alike.
-fn none_twice<'a>(shards: impl Iterator<Item = &'a PathBuf>) -> Result<(), Failure> {
+fn check_duplicates<'a>(shards: impl Iterator<Item = &'a PathBuf>) -> Result<(), Failure> {
     let mut of_length: BTreeMap<u64, Vec<&PathBuf>> = BTreeMap::new();
     for shard in shards {
         let about = std::fs::metadata(shard).map_err(|error| Failure::system(shard, "read", error))?;

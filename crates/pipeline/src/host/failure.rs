@@ -2,24 +2,24 @@
 
 use artifact::ArtifactError;
 use artifact::bounded::ReadFault;
-use artifact::sentence::readable;
+use artifact::message::truncated;
 use std::path::Path;
 
 /// The sentence comes from the causing error; the program decides how to treat each kind.
 #[derive(Debug, thiserror::Error)]
 pub enum Failure {
     /// An input was read and refused, or a check of `ci` failed.
-    #[error("{}", readable(.0))]
+    #[error("{}", truncated(.0))]
     Refused(String),
     /// The content of a file cannot be used; the caller knows which file.
-    #[error("{}", readable(.0))]
+    #[error("{}", truncated(.0))]
     Unplaced(String),
     /// A file is missing, unreadable or unwritable, the disk is full, or the command's arguments are wrong.
-    #[error("{}", readable(.0))]
+    #[error("{}", truncated(.0))]
     System(String),
     /// The caller cancelled the work.
     #[error("called off; whole frames and aspects are kept, the next run goes on from there")]
-    CalledOff,
+    Cancelled,
 }
 
 impl Failure {
@@ -42,7 +42,7 @@ impl Failure {
         match self {
             Self::Refused(text) | Self::Unplaced(text) => Self::Refused(named(text)),
             Self::System(text) => Self::System(named(text)),
-            Self::CalledOff => Self::CalledOff,
+            Self::Cancelled => Self::Cancelled,
         }
     }
 

@@ -1,25 +1,25 @@
 //! Atomic writing of files, whole or not at all, and reading of files that earlier runs left.
 
-mod taken;
-mod writing;
+mod claimed_paths;
+mod folder_lock;
 
 use crate::host::failure::Failure;
 use artifact::ArtifactError;
-use artifact::whole_file::{self, Durability, WholeFile};
+use artifact::atomic_file::{self, AtomicFile, Durability};
+use claimed_paths::{canonical_name, claimed_paths};
 use std::collections::BTreeSet;
 use std::io::{Error, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
-use taken::{one_name, taken};
 
-pub use writing::Writing;
+pub use folder_lock::FolderLock;
 
 /// Refuses unwritable results before the work begins: no plain file, an input, a place without permission, or
 /// one place for two results.
 pub fn claim(places: &[PathBuf]) -> Result<(), Failure> {
     let mut claimed = BTreeSet::new();
     for place in places {
-        whole_file::check(place)?;
-        if !claimed.insert(one_name(place)) {
+        atomic_file::check(place)?;
+        if !claimed.insert(canonical_name(place)) {
             return Err(twice(place));
         }
     }
@@ -28,15 +28,15 @@ pub fn claim(places: &[PathBuf]) -> Result<(), Failure> {
 
 /// Refuses, before the work, to replace a file that the user did not name and that no earlier run of this
 /// program left: larger than `limit` bytes, or with foreign content.
-pub fn keep_foreign(place: &Path, limit: u64, is_own: impl FnOnce(&[u8]) -> bool) -> Result<(), Failure> {
+pub fn refuse_foreign(place: &Path, limit: u64, is_own: impl FnOnce(&[u8]) -> bool) -> Result<(), Failure> {
     let rule = "was not written by this program, and would be replaced";
-    keep_unless(place, rule, || read_own(place, limit).is_ok_and(|bytes| is_own(&bytes)))
+    refuse_unless(place, rule, || read_own(place, limit).is_ok_and(|bytes| is_own(&bytes)))
 }
 
 /// Refuses, before the work, to replace a plain file that the user did not name unless `may_be` allows it;
 /// `rule` is the text of the refusal. A place that is neither missing nor a plain file is refused by its
 /// writer.
-pub fn keep_unless(place: &Path, rule: &str, may_be: impl FnOnce() -> bool) -> Result<(), Failure> {
+pub fn refuse_unless(place: &Path, rule: &str, may_be: impl FnOnce() -> bool) -> Result<(), Failure> {
     if !place.is_file() || may_be() {
         return Ok(());
     }
@@ -64,20 +64,20 @@ pub fn read_own(file: &Path, limit: u64) -> std::io::Result<Vec<u8>> {
 }
 
 /// Writes a file that grows and is rewritten repeatedly, whole or not at all.
-pub fn write_again(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    let mut whole = WholeFile::create(file)?;
+pub fn overwrite(file: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    let mut whole = AtomicFile::create(file)?;
     whole.write_all(bytes).map_err(|e| Failure::system(file, "write", e))?;
     Ok(whole.finish(Durability::InCache)?)
 }
 
 /// Removes the results of earlier commands in these places before the first is written anew: an interrupted
 /// command then leaves fewer files, and never a mixture of new and old ones.
-pub fn outdate(places: impl IntoIterator<Item = PathBuf>) -> Result<(), Failure> {
+pub fn remove_outdated(places: impl IntoIterator<Item = PathBuf>) -> Result<(), Failure> {
     for place in places {
         // The writer reports a place that cannot be replaced.
         if place.is_file() {
-            whole_file::check(&place)?;
-            take_away(&place, &[]).map_err(|e| Failure::system(&place, "remove", e))?;
+            atomic_file::check(&place)?;
+            remove_description(&place, &[]).map_err(|e| Failure::system(&place, "remove", e))?;
         }
     }
     Ok(())
@@ -85,10 +85,10 @@ pub fn outdate(places: impl IntoIterator<Item = PathBuf>) -> Result<(), Failure>
 
 /// Removes a file that describes another one, before that one is replaced; a symbolic link stays, and its
 /// target is overwritten with `nothing_told`.
-pub fn take_away(file: &Path, nothing_told: &[u8]) -> std::io::Result<()> {
+pub fn remove_description(file: &Path, nothing_told: &[u8]) -> std::io::Result<()> {
     match std::fs::symlink_metadata(file) {
         Err(e) if e.kind() == ErrorKind::NotFound => Ok(()),
-        Ok(about) if about.is_symlink() => write_again(file, nothing_told).map_err(Error::other),
+        Ok(about) if about.is_symlink() => overwrite(file, nothing_told).map_err(Error::other),
         Ok(_) => std::fs::remove_file(file),
         Err(e) => Err(e),
     }
@@ -98,16 +98,16 @@ pub fn take_away(file: &Path, nothing_told: &[u8]) -> std::io::Result<()> {
 /// unchanged: the input is at fault, not the output.
 pub fn write_with(
     file: &Path,
-    content: impl FnOnce(&mut WholeFile) -> std::io::Result<()>,
+    content: impl FnOnce(&mut AtomicFile) -> std::io::Result<()>,
 ) -> Result<(), Failure> {
     write(file, Durability::InCache, content)
 }
 
 /// Writes a file as [`write_with`] does and waits for the disk: for results of hours of work whose
 /// checkpoints are removed next.
-pub fn write_lasting(
+pub fn write_durably(
     file: &Path,
-    content: impl FnOnce(&mut WholeFile) -> std::io::Result<()>,
+    content: impl FnOnce(&mut AtomicFile) -> std::io::Result<()>,
 ) -> Result<(), Failure> {
     write(file, Durability::OnDisk, content)
 }
@@ -115,23 +115,23 @@ pub fn write_lasting(
 /// Lets later work of this process write these results again: that of a command ends with the process, that
 /// of a program which holds the library does not.
 pub fn release(places: &[PathBuf]) {
-    let mut taken = taken();
+    let mut claimed_paths = claimed_paths();
     for place in places {
-        taken.files.remove(&one_name(place));
+        claimed_paths.files.remove(&canonical_name(place));
     }
 }
 
 fn write(
     file: &Path,
     durability: Durability,
-    content: impl FnOnce(&mut WholeFile) -> std::io::Result<()>,
+    content: impl FnOnce(&mut AtomicFile) -> std::io::Result<()>,
 ) -> Result<(), Failure> {
-    let mut whole = WholeFile::create(file)?;
+    let mut whole = AtomicFile::create(file)?;
     content(&mut whole).map_err(|e| match e.downcast::<ArtifactError>() {
         Ok(of_source) => of_source.into(),
         Err(e) => Failure::system(file, "write", e),
     })?;
-    if !taken().files.insert(one_name(file)) {
+    if !claimed_paths().files.insert(canonical_name(file)) {
         return Err(twice(file));
     }
     Ok(whole.finish(durability)?)
@@ -164,7 +164,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let out = folder.path().join("new/out");
         for _ in 0..2 {
-            let writing = Writing::into_folder(&out).unwrap();
+            let writing = FolderLock::acquire(&out).unwrap();
             write_file(&out.join("a"), b"a").unwrap();
             assert!(write_file(&out.join("a"), b"b").unwrap_err().to_string().contains("two results"));
             drop(writing);
@@ -189,7 +189,7 @@ mod tests {
         let place = |name: &str| folder.path().join(name);
         std::fs::write(place("old"), "old").unwrap();
         std::fs::create_dir(place("folder")).unwrap();
-        outdate(["old", "none", "folder"].map(place)).unwrap();
+        remove_outdated(["old", "none", "folder"].map(place)).unwrap();
         assert!(!place("old").exists() && place("folder").is_dir());
     }
 

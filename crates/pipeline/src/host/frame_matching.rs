@@ -5,14 +5,14 @@ use artifact::scene::{SceneFrame, SceneHeader};
 use artifact::{ArtifactError, Provenance, Reader, Schema};
 use std::path::{Path, PathBuf};
 
-/// An artifact that is read beside the points, frame by frame.
-pub struct Beside<S: Schema> {
+/// An artifact that is read beside the points: its frame of the same index as theirs.
+pub struct FrameMatcher<S: Schema> {
     file: PathBuf,
     reader: Reader<S>,
     index_of: fn(&S::Frame) -> u32,
 }
 
-impl<S: Schema> Beside<S> {
+impl<S: Schema> FrameMatcher<S> {
     /// Opens the artifact; `index_of` returns the number of a frame.
     pub fn open(file: &Path, index_of: fn(&S::Frame) -> u32) -> Result<Self, Failure> {
         let reader = Reader::open(file).map_err(|error| unopened(file, error))?;

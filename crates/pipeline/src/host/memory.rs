@@ -49,7 +49,7 @@ impl Allowance {
     }
 
     /// Remaining allowance beside `held_mib`.
-    pub(crate) fn beside(self, held_mib: f64) -> Self {
+    pub(crate) fn reduced_by(self, held_mib: f64) -> Self {
         let left = |bytes: u64| bytes.saturating_sub((held_mib * MIB) as u64);
         Self { bytes: self.bytes.map(left) }
     }

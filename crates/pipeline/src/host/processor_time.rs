@@ -24,16 +24,16 @@ pub fn of_living_threads() -> Option<f64> {
 
 /// Clock by which seconds of work are counted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Counted {
+pub enum ClockKind {
     /// Processor time of all threads.
     Processor,
     /// Wall-clock time, where the system does not report processor time.
     Clock,
 }
 
-impl Counted {
+impl ClockKind {
     /// Clock of this system: processor time where it is reported.
-    pub(crate) fn here() -> Self {
+    pub(crate) fn of_system() -> Self {
         if of_living_threads().is_some() { Self::Processor } else { Self::Clock }
     }
 
@@ -50,27 +50,27 @@ impl Counted {
 /// the wall clock.
 pub struct WorkClock {
     start: Instant,
-    counted: Counted,
+    kind: ClockKind,
     at_start_s: f64,
 }
 
 impl WorkClock {
     /// Begins to count seconds.
     pub fn start() -> Self {
-        let (start, counted) = (Instant::now(), Counted::here());
-        Self { start, counted, at_start_s: of_living_threads().unwrap_or(0.0) }
+        let (start, kind) = (Instant::now(), ClockKind::of_system());
+        Self { start, kind, at_start_s: of_living_threads().unwrap_or(0.0) }
     }
 
     /// Kind of time that is counted.
-    pub fn counted(&self) -> Counted {
-        self.counted
+    pub fn kind(&self) -> ClockKind {
+        self.kind
     }
 
     /// Seconds since the start.
     pub fn seconds(&self) -> f64 {
-        match self.counted {
-            Counted::Processor => of_living_threads().map_or(0.0, |now_s| now_s - self.at_start_s),
-            Counted::Clock => self.start.elapsed().as_secs_f64(),
+        match self.kind {
+            ClockKind::Processor => of_living_threads().map_or(0.0, |now_s| now_s - self.at_start_s),
+            ClockKind::Clock => self.start.elapsed().as_secs_f64(),
         }
     }
 }

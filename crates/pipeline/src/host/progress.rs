@@ -1,20 +1,20 @@
 //! Progress of long work. Work reports its name and, where it can count, its progress; it never prints.
-//! Viewers poll [`line()`] or [`shown`] as often as they like and receive remarks by [`listen`]; computed
+//! Viewers poll [`line()`] or [`state`] as often as they like and receive remarks by [`listen`]; computed
 //! results never depend on any of this.
 
-mod under_way;
+mod running_work;
 mod caller;
 
 use artifact::dataset::Dataset;
 use artifact::{ArtifactError, Reader, Schema};
+use running_work::{RunningWork, WorkItem};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::{Duration, Instant};
-use under_way::{Item, UnderWay};
 
 pub use caller::Caller;
-pub use under_way::{FrameStage, Shown};
+pub use running_work::{FrameStage, ProgressState};
 
-static UNDER_WAY: Mutex<UnderWay> = Mutex::new(UnderWay::NOTHING);
+static RUNNING_WORK: Mutex<RunningWork> = Mutex::new(RunningWork::NOTHING);
 static LISTENER: OnceLock<fn(&str)> = OnceLock::new();
 
 /// Sends all remarks of this process to `listener`; only the first listener is kept.
@@ -31,17 +31,17 @@ pub fn note(text: impl std::fmt::Display) {
 
 /// The line that is due for a log: for lasting work, within 2 s of its beginning and then every ten.
 pub fn line(now: Instant) -> Option<String> {
-    locked(&UNDER_WAY).line(now)
+    locked(&RUNNING_WORK).line(now)
 }
 
 /// State of the work for a progress bar; `None` until the outermost work has been under way for `after`.
-pub fn shown(now: Instant, after: Duration) -> Option<Shown> {
-    locked(&UNDER_WAY).shown(now, after, |_| true)
+pub fn state(now: Instant, after: Duration) -> Option<ProgressState> {
+    locked(&RUNNING_WORK).state(now, after, |_| true)
 }
 
-/// State of the work for one caller; [`shown`] returns that of all.
-pub fn shown_to(caller: Caller, now: Instant, after: Duration) -> Option<Shown> {
-    locked(&UNDER_WAY).shown(now, after, |other| other == caller)
+/// State of the work for one caller; [`state`] returns that of all.
+pub fn state_for(caller: Caller, now: Instant, after: Duration) -> Option<ProgressState> {
+    locked(&RUNNING_WORK).state(now, after, |other| other == caller)
 }
 
 fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
@@ -49,7 +49,7 @@ fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 }
 
 /// A piece of work that is under way until it is dropped; others may be nested in it.
-pub struct Work(Arc<Item>);
+pub struct Work(Arc<WorkItem>);
 
 impl Work {
     /// Begins work of the given name.
@@ -59,13 +59,13 @@ impl Work {
 
     /// Begins work of which `found` steps are already done.
     pub fn resumed(name: impl Into<String>, found: usize) -> Self {
-        Self(locked(&UNDER_WAY).begin(name.into(), (found, &[]), Instant::now()))
+        Self(locked(&RUNNING_WORK).begin(name.into(), (found, &[]), Instant::now()))
     }
 
     /// Begins work on frames that each go through these stages, or on one stage of a frame: progress within a
     /// stage counts in the share of the frames.
     pub fn in_stages(name: impl Into<String>, stages: &[FrameStage]) -> Self {
-        Self(locked(&UNDER_WAY).begin(name.into(), (0, stages), Instant::now()))
+        Self(locked(&RUNNING_WORK).begin(name.into(), (0, stages), Instant::now()))
     }
 
     /// Reports that `done` of `of` steps are done; callable from any thread.
@@ -132,7 +132,7 @@ fn part_place(phase: bart_rcs::Phase) -> [usize; 2] {
 
 impl Drop for Work {
     fn drop(&mut self) {
-        locked(&UNDER_WAY).end(&self.0);
+        locked(&RUNNING_WORK).end(&self.0);
     }
 }
 
@@ -142,8 +142,8 @@ mod tests {
 
     #[test]
     fn each_caller_hears_of_its_own_work_alone() {
-        let [one, other] = [Caller::another(), Caller::another()];
-        let text = |caller| shown_to(caller, Instant::now(), Duration::ZERO).map(|shown| shown.text);
+        let [one, other] = [Caller::new(), Caller::new()];
+        let text = |caller| state_for(caller, Instant::now(), Duration::ZERO).map(|state| state.text);
         let at_the_same_time = || {
             let _work = Work::begin("the other's");
             assert_eq!(text(one).as_deref(), Some("the one's, for 0 s"));
@@ -154,7 +154,7 @@ mod tests {
             std::thread::scope(|scope| {
                 scope.spawn(|| other.during(at_the_same_time));
             });
-            assert_eq!(Caller::here(), one);
+            assert_eq!(Caller::current(), one);
         });
         assert_eq!([text(one), text(other)], [None, None]);
     }

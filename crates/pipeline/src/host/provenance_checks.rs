@@ -91,10 +91,11 @@ const MOST_TOLD_BYTES: usize = 512 << 10;
 
 /// Bodies and road of a scene as far as paths depend on them, in the keys of a scene file: for the provenance
 /// of paths.
-pub fn told_bodies(scene: &SceneHeader) -> Value {
+pub fn describe_bodies(scene: &SceneHeader) -> Value {
     let meshes: Vec<String> = scene.meshes.iter().map(mesh_hash).collect();
     let bodies = scene.bodies().zip(scene.first_poses()).map(|((id, kind), pose)| {
-        let told = [json!({ "id": id }), told_kind(kind, &meshes), pose.map_or(Value::Null, told_pose)];
+        let told =
+            [json!({ "id": id }), describe_kind(kind, &meshes), pose.map_or(Value::Null, describe_pose)];
         let entries = told.into_iter().filter_map(|part| part.as_object().cloned()).flatten();
         Value::Object(entries.collect::<Map<_, _>>())
     });
@@ -111,7 +112,7 @@ fn mesh_hash(mesh: &Mesh) -> String {
     fingerprint(&(surface, &mesh.makeup.materials, &mesh.wheels)).chars().take(16).collect()
 }
 
-fn told_kind(kind: &TargetKind, meshes: &[String]) -> Value {
+fn describe_kind(kind: &TargetKind, meshes: &[String]) -> Value {
     match kind {
         TargetKind::Mesh { model, mesh, .. } => {
             json!({ "model": model, "mesh_and_materials_hash": meshes.get(*mesh as usize) })
@@ -120,7 +121,7 @@ fn told_kind(kind: &TargetKind, meshes: &[String]) -> Value {
     }
 }
 
-fn told_pose(pose: Pose) -> Value {
+fn describe_pose(pose: Pose) -> Value {
     json!({
         "position_m": pose.position_m,
         "velocity_mps": pose.velocity_mps,
@@ -134,7 +135,7 @@ fn told_pose(pose: Pose) -> Value {
 /// earlier versions do not describe bodies.
 pub fn are_of_same_bodies(scene: &SceneHeader, of_paths: &Provenance) -> Result<(), Failure> {
     let settings: Value = serde_json::from_str(&of_paths.settings).unwrap_or_default();
-    let (theirs, own) = (&settings[2], told_bodies(scene));
+    let (theirs, own) = (&settings[2], describe_bodies(scene));
     let other = if theirs.is_null() { None } else { difference(theirs, &own) };
     other.map_or(Ok(()), |other| Err(Failure::refused(format!("traced of another scene: {other}"))))
 }
@@ -152,7 +153,7 @@ pub fn of_same_physics(
 ) -> Result<Vec<String>, Failure> {
     let settings: Value = serde_json::from_str(&of_paths.settings).unwrap_or_default();
     let Ok(theirs) = serde_json::from_value::<Fidelity>(settings[0].clone()) else { return Ok(vec![]) };
-    let [theirs, own] = [&theirs, &scene.fidelity].map(scene::told_physics);
+    let [theirs, own] = [&theirs, &scene.fidelity].map(scene::physics_settings);
     let others = || theirs.iter().zip(&own).filter(|(theirs, own)| theirs != own);
     if let Some(((key, theirs), (_, own))) = others().find(|((key, _), _)| said.contains(*key)) {
         let rule = format!("traced with {key} = {theirs}, [fidelity] of the scene has {own}");
@@ -204,7 +205,7 @@ mod tests {
         let kind = || TargetKind::Point { rcs_m2: 1.0, wheel: None };
         let point = |i: usize| Target { id: format!("p{i}"), role: Role::Target, kind: kind(), start };
         let header = SceneHeader { targets: (0..count).map(point).collect(), ..read };
-        let settings = json!([null, null, told_bodies(&header)]).to_string();
+        let settings = json!([null, null, describe_bodies(&header)]).to_string();
         let (stage, inputs) = ("bart_rcs".into(), vec![]);
         (header, Provenance { stage, program_version: "0".into(), inputs, settings, seed: 0 })
     }
@@ -227,7 +228,7 @@ mod tests {
         let road = |rms_height_m| Road { material: Material::Conductor, rms_height_m };
         let over = |road| SceneHeader { road: Some(road), ..header.clone() };
         are_of_same_bodies(&over(road(1e-3)), &from).unwrap();
-        let settings = json!([null, null, told_bodies(&over(road(1e-3)))]).to_string();
+        let settings = json!([null, null, describe_bodies(&over(road(1e-3)))]).to_string();
         let from = Provenance { settings, ..from };
         are_of_same_bodies(&header, &from).unwrap();
         are_of_same_bodies(&over(road(1e-3)), &from).unwrap();

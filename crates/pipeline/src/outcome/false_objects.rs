@@ -5,7 +5,7 @@ use artifact::points::{Label, Object, Point};
 use artifact::scene::{Role, SceneHeader};
 use artifact::units::power_from_db;
 use dsp::gamma_tail;
-use evaluation::{FrameTruth, GATE_M, Origin, place};
+use evaluation::{FrameTruth, GATE_M, Origin, ground_position};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -100,34 +100,34 @@ impl Cause {
 
 /// A cause with the responsible bodies and bounces.
 #[derive(Debug, Clone, Default, PartialEq, Eq, PartialOrd, Ord)]
-struct Made {
+struct Attribution {
     cause: Cause,
     bodies: BTreeSet<u32>,
     bounces: Option<u8>,
 }
 
-impl Made {
+impl Attribution {
     fn by(cause: Cause, body: u32, bounces: u8) -> Self {
         Self { cause, bodies: BTreeSet::from([body]), bounces: Some(bounces) }
     }
 }
 
 /// Objects of a frame that belong to no body, without those marked as at rest.
-pub(crate) fn told(header: &SceneHeader, result: &FrameResult, truth: &FrameTruth) -> Vec<FalseObject> {
+pub(crate) fn moving(header: &SceneHeader, result: &FrameResult, truth: &FrameTruth) -> Vec<FalseObject> {
     let is_false =
-        |index: &usize| truth.pairing.body_of(*index).is_none() && !truth.pairing.standing.contains(index);
+        |index: &usize| truth.pairing.body_of(*index).is_none() && !truth.pairing.stationary.contains(index);
     let objects = (0..result.points.objects.len()).filter(is_false);
     objects.map(|index| object(header, result, truth, index)).collect()
 }
 
 /// Objects of a frame that belong to no body and are marked as at rest.
-pub(crate) fn standing(header: &SceneHeader, result: &FrameResult, truth: &FrameTruth) -> Vec<FalseObject> {
-    truth.pairing.standing.iter().map(|index| object(header, result, truth, *index)).collect()
+pub(crate) fn stationary(header: &SceneHeader, result: &FrameResult, truth: &FrameTruth) -> Vec<FalseObject> {
+    truth.pairing.stationary.iter().map(|index| object(header, result, truth, *index)).collect()
 }
 
 fn object(header: &SceneHeader, result: &FrameResult, truth: &FrameTruth, index: usize) -> FalseObject {
-    let (object, Made { cause, bodies, bounces }) =
-        (&result.points.objects[index], made(header, result, truth, index));
+    let (object, Attribution { cause, bodies, bounces }) =
+        (&result.points.objects[index], attribute(header, result, truth, index));
     let id = |body: &u32| header.targets.get(*body as usize).map(|target| target.id.clone());
     FalseObject {
         object: index,
@@ -144,15 +144,15 @@ fn object(header: &SceneHeader, result: &FrameResult, truth: &FrameTruth, index:
 }
 
 /// Finds the cause of most of the power of the object's points.
-fn made(header: &SceneHeader, result: &FrameResult, truth: &FrameTruth, index: usize) -> Made {
-    let mut powers: BTreeMap<Made, f64> = BTreeMap::new();
+fn attribute(header: &SceneHeader, result: &FrameResult, truth: &FrameTruth, index: usize) -> Attribution {
+    let mut powers: BTreeMap<Attribution, f64> = BTreeMap::new();
     let points = result.points.points.iter().zip(&truth.origins);
     for (point, origin) in points.filter(|(point, _)| point.object == Some(index as u32)) {
-        let made = of_point(header, truth, &result.points.objects[index], (point, origin));
-        *powers.entry(made).or_default() += power_from_db(point.snr_db);
+        let attribution = of_point(header, truth, &result.points.objects[index], (point, origin));
+        *powers.entry(attribution).or_default() += power_from_db(point.snr_db);
     }
     let strongest = powers.into_iter().max_by(|a, b| a.1.total_cmp(&b.1));
-    strongest.map(|(made, _)| made).unwrap_or_default()
+    strongest.map(|(attribution, _)| attribution).unwrap_or_default()
 }
 
 fn of_point(
@@ -160,18 +160,18 @@ fn of_point(
     truth: &FrameTruth,
     object: &Object,
     (point, origin): (&Point, &Origin),
-) -> Made {
+) -> Attribution {
     let (label, bodies) = match origin {
-        Origin::Noise => return Made { cause: of_no_path(header, point), ..Made::default() },
-        Origin::Ground => return Made { cause: Cause::Clutter, ..Made::default() },
+        Origin::Noise => return Attribution { cause: of_no_path(header, point), ..Attribution::default() },
+        Origin::Ground => return Attribution { cause: Cause::Clutter, ..Attribution::default() },
         Origin::Echo { label, bodies } => (label, bodies),
     };
     let (body, bounces) = (label.target, label.order);
     let is_clutter = header.targets.get(body as usize).is_some_and(|target| target.role == Role::Clutter);
     match bodies.len() {
-        0 | 1 if is_clutter => Made::by(Cause::Clutter, body, bounces),
+        0 | 1 if is_clutter => Attribution::by(Cause::Clutter, body, bounces),
         0 | 1 => of_one_body(truth, object, label),
-        _ => Made { cause: Cause::Ghost, bodies: bodies.clone(), bounces: Some(bounces) },
+        _ => Attribution { cause: Cause::Ghost, bodies: bodies.clone(), bounces: Some(bounces) },
     }
 }
 
@@ -197,17 +197,19 @@ fn noise_reaches(header: &SceneHeader, snr_db: f64) -> bool {
 }
 
 /// Cause of an echo of one target alone in an object that does not belong to the target.
-fn of_one_body(truth: &FrameTruth, object: &Object, label: &Label) -> Made {
+fn of_one_body(truth: &FrameTruth, object: &Object, label: &Label) -> Attribution {
     let (body, bounces) = (label.target, label.order);
     let has_object = truth.pairing.object_of.get(body as usize).is_some_and(Option::is_some);
-    let is_there =
-        truth.truths.get(body as usize).is_some_and(|t| t.outline.distance_m(place(object)) <= GATE_M);
+    let is_there = truth
+        .truths
+        .get(body as usize)
+        .is_some_and(|t| t.outline.distance_m(ground_position(object)) <= GATE_M);
     let cause = match (has_object, is_there) {
         (true, false) if bounces > 1 => Cause::Ghost,
         (true, _) => Cause::Split,
         (false, _) => Cause::Misplaced,
     };
-    Made::by(cause, body, bounces)
+    Attribution::by(cause, body, bounces)
 }
 
 #[cfg(test)]

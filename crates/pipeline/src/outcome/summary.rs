@@ -22,6 +22,6 @@ pub use evaluation::{Agreement, IdentityMetrics, Metrics};
 pub use frame::{FrameSummary, MapState, TargetDetail};
 pub use one_radar::{Summary, is_summary};
 pub use radar::{ElementErrorSummary, ElementErrors, LaneSummary, RadarSummary};
-pub use several_radars::{CommonFrame, CommonTarget, OneOfRadars, RadarsSummary, common_times_s};
+pub use several_radars::{CommonFrame, CommonTarget, RadarEntry, RadarsSummary, common_times_s};
 pub use targets::{ClutterSummary, Estimate, TargetSummary, TruthSummary};
 pub use tracks::{TrackBox, TrackSummary};

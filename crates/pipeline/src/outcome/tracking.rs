@@ -6,7 +6,7 @@ use crate::host::failure::Failure;
 use crate::outcome::summary::TrackSummary;
 use artifact::tracks::{Track, TracksFrame};
 use dsp::{ROAD_TRAFFIC, Tracker};
-use evaluation::{FrameTruth, Metrics, Score, believed, bodies_of_tracks};
+use evaluation::{FrameTruth, Metrics, Score, bodies_of_tracks, confirmed_tracks};
 use std::collections::BTreeMap;
 
 /// A run's tracker and its score.
@@ -45,7 +45,7 @@ impl Tracking {
 
     /// Updates the tracks from the frame's objects alone, and returns the summaries of confirmed and coasting
     /// ones beside the truth.
-    pub fn follow(
+    pub fn step(
         &mut self,
         frame: &FrameProducts,
         truth: &FrameTruth,
@@ -53,13 +53,13 @@ impl Tracking {
         let result = &frame.result;
         let tracks = self.tracker.step(&result.points).map_err(Failure::refused)?;
         self.score.add(truth, &result.points.objects, &tracks);
-        tracks.tracks.iter().for_each(|track| self.hear(track, result));
-        let believed = believed(&tracks);
-        let bodies = bodies_of_tracks(truth, &believed);
-        let told = believed.iter().zip(bodies).map(|(track, body)| {
+        tracks.tracks.iter().for_each(|track| self.add_evidence(track, result));
+        let confirmed_tracks = confirmed_tracks(&tracks);
+        let bodies = bodies_of_tracks(truth, &confirmed_tracks);
+        let told = confirmed_tracks.iter().zip(bodies).map(|(track, body)| {
             let target = body.and_then(|body| frame.view.targets.get(body)).map(|target| target.id.as_str());
             let evidence = self.classes.get(&track.id);
-            let probabilities = evidence.map(|e| result.rule.joined(&e.log_sums, e.frames));
+            let probabilities = evidence.map(|e| result.rule.combined(&e.log_sums, e.frames));
             TrackSummary::of(track, target, probabilities.as_ref(), &result.rule)
         });
         let told = told.collect();
@@ -67,7 +67,7 @@ impl Tracking {
     }
 
     /// Adds the probabilities of the strongest of a track's objects in this frame to the evidence.
-    fn hear(&mut self, track: &Track, result: &FrameResult) {
+    fn add_evidence(&mut self, track: &Track, result: &FrameResult) {
         let objects = track.objects.iter().map(|object| *object as usize);
         let snr_db =
             |object: &usize| result.points.objects.get(*object).map_or(f64::NEG_INFINITY, |o| o.snr_db);

@@ -6,14 +6,14 @@ use artifact::{Accuracy, ErrorBudget};
 
 /// The largest error that is independent of the requested accuracy.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct OfUse {
+pub(crate) struct UsefulAccuracy {
     /// Name of the error, in words.
     pub(crate) name: &'static str,
     /// Relative amplitude error.
     pub(crate) amplitude: f64,
 }
 
-impl OfUse {
+impl UsefulAccuracy {
     /// Finds the largest of the errors of the method and the mesh; `None` if none of them was estimated.
     ///
     /// Errors from parts of the physics that a scene's key omits (edges, road, paths between bodies,
@@ -41,14 +41,14 @@ mod tests {
 
     const ASKED_DB: f64 = -20.0;
 
-    fn found(error: ErrorBudget, model: ModelError) -> Option<OfUse> {
-        OfUse::of(Accuracy::from_db(ASKED_DB), &error, &model)
+    fn found(error: ErrorBudget, model: ModelError) -> Option<UsefulAccuracy> {
+        UsefulAccuracy::of(Accuracy::from_db(ASKED_DB), &error, &model)
     }
 
     #[test]
     fn the_largest_error_of_the_method_is_found_and_named() {
         let model = ModelError { nodes: Some(0.3), bounces: Some(0.01), ..ModelError::default() };
-        let largest = OfUse { name: "nodes", amplitude: 0.3 };
+        let largest = UsefulAccuracy { name: "nodes", amplitude: 0.3 };
         assert_eq!(found(ErrorBudget::default(), model), Some(largest));
         let table = ModelError { far_field: Some(0.4), ..model };
         assert_eq!(found(ErrorBudget::default(), table).map(|error| error.name), Some("far field"));

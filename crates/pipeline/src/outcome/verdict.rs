@@ -1,8 +1,8 @@
 //! Verdict on the requested accuracy: whether it was reached and, if not, the limiting error and a remedy.
 
 use crate::outcome::error_figures::{ErrorFigures, db, decibels};
-use crate::outcome::useful_accuracy::OfUse;
-use crate::planning::choice::Limit;
+use crate::outcome::useful_accuracy::UsefulAccuracy;
+use crate::planning::choice::AccuracyLimit;
 use crate::planning::plan_figures::{PlanFigures, limit_name};
 use artifact::accuracy::ModelError;
 use artifact::goal::Goal;
@@ -52,34 +52,34 @@ pub struct Verdict {
     /// Largest number of nodes of an axis (moments of the frame or places of the array) at which paths were
     /// traced, and the number of all paths; `None` if unknown.
     nodes: Option<(u32, u64)>,
-    plan: Option<Planned>,
+    plan: Option<PlannedAccuracy>,
 }
 
 /// Accuracy that a plan was made for.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Planned {
+struct PlannedAccuracy {
     asked_db: f64,
     /// Reason why the plan spends more than was requested; `None` if it does not.
-    beyond: Option<Beyond>,
+    limit: Option<UsefulLimit>,
 }
 
 /// A limit below which a finer accuracy has no use.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Beyond {
+struct UsefulLimit {
     spent_db: f64,
     is_noise: bool,
 }
 
-impl Planned {
+impl PlannedAccuracy {
     fn of(plan: &PlanFigures) -> Self {
-        let is_beyond = plan.limited_by != limit_name(Limit::Asked);
-        let is_noise = plan.limited_by == limit_name(Limit::Noise);
-        let beyond = is_beyond.then_some(Beyond { spent_db: plan.spent_db, is_noise });
-        Self { asked_db: plan.asked_db, beyond }
+        let is_limited = plan.limited_by != limit_name(AccuracyLimit::Requested);
+        let is_noise = plan.limited_by == limit_name(AccuracyLimit::Noise);
+        let limit = is_limited.then_some(UsefulLimit { spent_db: plan.spent_db, is_noise });
+        Self { asked_db: plan.asked_db, limit }
     }
 
     fn advice(&self) -> Option<String> {
-        let Beyond { spent_db, is_noise } = self.beyond?;
+        let UsefulLimit { spent_db, is_noise } = self.limit?;
         let level = decibels(Some(spent_db));
         Some(match is_noise {
             true => format!("The plan spends {level}: what is below that lies in the noise of the map."),
@@ -92,7 +92,7 @@ impl Planned {
 
 /// Way in which a user requests an accuracy, for the words of advice.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Asking {
+pub enum RequestSource {
     /// Keys of a scene.
     Scene,
     /// Options of the command line.
@@ -137,25 +137,25 @@ impl Verdict {
     }
 
     /// Adds the errors of the model, and with them the useful accuracy.
-    pub fn beside(self, model: &ModelError) -> Self {
+    pub fn with_model_error(self, model: &ModelError) -> Self {
         Self { model: *model, ..self }
     }
 
     /// Adds the plan of the physics: the accuracy in the settings is then the part that the plan assigns to
     /// the computed echo.
-    pub fn in_plan(self, plan: Option<&PlanFigures>) -> Self {
-        Self { plan: plan.map(Planned::of), ..self }
+    pub fn with_plan(self, plan: Option<&PlanFigures>) -> Self {
+        Self { plan: plan.map(PlannedAccuracy::of), ..self }
     }
 
     /// Whether the error is within the settings' accuracy, and a plan, if any, spends no more than was
     /// requested; `None` if it was not estimated.
     fn is_met(&self) -> Option<bool> {
-        let is_within = self.plan.is_none_or(|plan| plan.beyond.is_none());
-        self.is_kept().map(|is_kept| is_kept && is_within)
+        let is_within = self.plan.is_none_or(|plan| plan.limit.is_none());
+        self.is_within_settings().map(|is_within_settings| is_within_settings && is_within)
     }
 
     /// Whether the error is within the accuracy of the settings; `None` if it was not estimated.
-    fn is_kept(&self) -> Option<bool> {
+    fn is_within_settings(&self) -> Option<bool> {
         // An accuracy converted to decibels and back may differ by rounding.
         self.error.total().map(|total| total <= self.asked.amplitude() * (1.0 + 1e-9))
     }
@@ -167,7 +167,7 @@ impl Verdict {
     }
 
     /// Makes the verdict of `summary.json`.
-    pub fn told(&self, asking: Asking) -> AccuracyVerdict {
+    pub fn for_summary(&self, source: RequestSource) -> AccuracyVerdict {
         AccuracyVerdict {
             asked_db: self.plan.map_or(self.asked.db(), |plan| plan.asked_db),
             planned_db: self.plan.map(|_| self.asked.db()),
@@ -175,47 +175,47 @@ impl Verdict {
             reached_db: db(self.error.total()),
             met: self.is_met(),
             limited_by: self.limited_by().map(str::to_owned),
-            of_use_db: db(self.of_use().map(|error| error.amplitude)),
-            advice: self.advice(asking),
+            of_use_db: db(self.useful_accuracy().map(|error| error.amplitude)),
+            advice: self.advice(source),
         }
     }
 
     /// Makes the verdict as lines of text.
-    pub fn lines(&self, asking: Asking) -> Vec<String> {
-        lines(&self.told(asking), &ErrorFigures::of(&self.error))
+    pub fn lines(&self, source: RequestSource) -> Vec<String> {
+        lines(&self.for_summary(source), &ErrorFigures::of(&self.error))
     }
 
-    fn of_use(&self) -> Option<OfUse> {
-        OfUse::of(self.asked, &self.error, &self.model)
+    fn useful_accuracy(&self) -> Option<UsefulAccuracy> {
+        UsefulAccuracy::of(self.asked, &self.error, &self.model)
     }
 
     /// Advice on the limiting error and on the useful accuracy; `None` if there is none.
-    fn advice(&self, asking: Asking) -> Option<String> {
-        let of_use = self.plan.map_or_else(|| self.advice_on_use(asking), |plan| plan.advice());
-        let sentences: Vec<String> = [self.advice_on_limit(asking), of_use].into_iter().flatten().collect();
+    fn advice(&self, source: RequestSource) -> Option<String> {
+        let useful = self.plan.map_or_else(|| self.advice_on_use(source), |plan| plan.advice());
+        let sentences: Vec<String> = [self.advice_on_limit(source), useful].into_iter().flatten().collect();
         (!sentences.is_empty()).then(|| sentences.join(" "))
     }
 
     /// Advice if the request is finer than the error of the model, which no integral reduces.
-    fn advice_on_use(&self, asking: Asking) -> Option<String> {
-        let of_use = self.of_use().filter(|error| error.amplitude > self.asked.amplitude())?;
-        let level = decibels(db(Some(of_use.amplitude)));
-        let key = match asking {
-            Asking::Scene => "accuracy_db",
-            Asking::Options => "--accuracy-db",
+    fn advice_on_use(&self, source: RequestSource) -> Option<String> {
+        let useful = self.useful_accuracy().filter(|error| error.amplitude > self.asked.amplitude())?;
+        let level = decibels(db(Some(useful.amplitude)));
+        let key = match source {
+            RequestSource::Scene => "accuracy_db",
+            RequestSource::Options => "--accuracy-db",
         };
         Some(format!(
             "The model's largest named error is {level} ({}): {key} below that buys nothing.",
-            of_use.name
+            useful.name
         ))
     }
 
     /// Advice on the limiting error and its remedy; `None` if the accuracy was reached or nothing is known.
-    fn advice_on_limit(&self, asking: Asking) -> Option<String> {
-        let limited_by = self.limited_by().filter(|_| self.is_kept() == Some(false))?;
+    fn advice_on_limit(&self, source: RequestSource) -> Option<String> {
+        let limited_by = self.limited_by().filter(|_| self.is_within_settings() == Some(false))?;
         let (what, help) = match (limited_by, self.nodes) {
-            ("freezing", Some((nodes, paths))) => of_nodes(nodes, paths),
-            _ => cause_and_help(limited_by, asking),
+            ("freezing", Some((nodes, paths))) => freezing_cause_and_remedy(nodes, paths),
+            _ => cause_and_remedy(limited_by, source),
         };
         let help = help.replace("{finer}", &format!("{:.0}", self.finer_db()));
         Some(format!("Limited by {limited_by}: {what}. What would help: {help}."))
@@ -231,7 +231,7 @@ impl Verdict {
 /// Lines on whether the accuracy was reached: for every frame, or for many frames the worst and their number.
 pub fn of_frames(frames: &[(u32, Verdict)]) -> Vec<String> {
     let frame = |(number, verdict): &(u32, Verdict)| {
-        let mut lines = verdict.lines(Asking::Scene);
+        let mut lines = verdict.lines(RequestSource::Scene);
         lines[0] = format!("frame {number}: {}", lines[0]);
         lines
     };
@@ -280,8 +280,8 @@ fn shares_that_matter(error_db: &ErrorFigures) -> Vec<(&'static str, f64)> {
 }
 
 /// Explains a share of the error and its remedy; `{finer}` is replaced by a value in dB.
-fn cause_and_help(share: &str, asking: Asking) -> (&'static str, &'static str) {
-    let is_scene = asking == Asking::Scene;
+fn cause_and_remedy(share: &str, source: RequestSource) -> (&'static str, &'static str) {
+    let is_scene = source == RequestSource::Scene;
     match share {
         "tessellation" => (
             "facets in place of the curved skin err by what coarser ones differ, for normals far apart do \
@@ -318,7 +318,7 @@ fn cause_and_help(share: &str, asking: Asking) -> (&'static str, &'static str) {
 
 /// Explains freezing in a frame whose paths were traced at several nodes, moments of the frame or places of
 /// the array: those of the middle are kept where more did not help, or would have been too many paths.
-fn of_nodes(nodes: u32, paths: u64) -> (&'static str, &'static str) {
+fn freezing_cause_and_remedy(nodes: u32, paths: u64) -> (&'static str, &'static str) {
     if bart_rcs::paths_are_at_limit(nodes, paths) {
         (
             "more moments of the frame, or places of the array, would be more paths than are held: bodies are near, or little is left of an echo whose parts cancel (a flat side off its specular)",
@@ -353,13 +353,13 @@ mod tests {
     #[test]
     fn an_accuracy_that_was_not_reached_is_told_with_its_cause_and_what_helps() {
         let missed = of(0.02, 0.24);
-        let told = missed.told(Asking::Scene);
+        let told = missed.for_summary(RequestSource::Scene);
         assert_eq!((told.met, told.limited_by.as_deref()), (Some(false), Some("freezing")));
         // √(0.02² + 0.24²) = 0.2408: −12.4 dB.
         assert!((told.reached_db.unwrap() + 12.366).abs() < 1e-3, "{told:?}");
         let advice = told.advice.unwrap();
         assert!(advice.contains("freezing") && advice.contains("shorter frame"), "{advice}");
-        let lines = missed.lines(Asking::Scene);
+        let lines = missed.lines(RequestSource::Scene);
         assert!(
             lines[0].contains("−12.4 dB") && lines[0].contains("−20.0 dB asked: NOT REACHED"),
             "{lines:?}"
@@ -369,9 +369,10 @@ mod tests {
 
     #[test]
     fn an_accuracy_that_was_reached_needs_no_advice_and_one_not_estimated_no_verdict() {
-        let met = of(0.05, 0.06).told(Asking::Scene);
+        let met = of(0.05, 0.06).for_summary(RequestSource::Scene);
         assert_eq!((met.met, met.advice, met.limited_by.as_deref()), (Some(true), None, Some("freezing")));
-        let unknown = Verdict::of(Accuracy::from_db(-20.0), &ErrorBudget::default()).told(Asking::Scene);
+        let unknown =
+            Verdict::of(Accuracy::from_db(-20.0), &ErrorBudget::default()).for_summary(RequestSource::Scene);
         assert_eq!((unknown.met, unknown.limited_by, unknown.reached_db), (None, None, None));
         assert!((unknown.asked_db + 20.0).abs() < 1e-12);
     }
@@ -382,16 +383,16 @@ mod tests {
             limited_by: limited_by.into(),
             ..PlanFigures { asked_db: -30.0, spent_db, ..PlanFigures::default() }
         };
-        let told = |spent_db, limited_by| of(0.05, 0.06).in_plan(Some(&plan(spent_db, limited_by)));
-        let kept = told(-30.0, "asked").told(Asking::Scene);
+        let told = |spent_db, limited_by| of(0.05, 0.06).with_plan(Some(&plan(spent_db, limited_by)));
+        let kept = told(-30.0, "asked").for_summary(RequestSource::Scene);
         assert_eq!((kept.asked_db, kept.met, kept.advice), (-30.0, Some(true), None));
         assert!((kept.planned_db.unwrap() + 20.0).abs() < 1e-12);
         let limited = told(-17.8, "nodes");
-        assert_eq!(limited.told(Asking::Scene).met, Some(false));
-        let lines = limited.lines(Asking::Scene).join("\n");
+        assert_eq!(limited.for_summary(RequestSource::Scene).met, Some(false));
+        let lines = limited.lines(RequestSource::Scene).join("\n");
         assert!(lines.contains("−20.0 dB planned for −30.0 dB asked: NOT REACHED"), "{lines}");
         assert!(lines.contains("node rules") && lines.contains("spends −17.8 dB"), "{lines}");
-        assert!(told(-5.0, "noise").lines(Asking::Scene)[1].contains("noise of the map"));
+        assert!(told(-5.0, "noise").lines(RequestSource::Scene)[1].contains("noise of the map"));
     }
 
     #[test]
@@ -400,16 +401,16 @@ mod tests {
             Accuracy::from_db(-20.0),
             &ErrorBudget { integration: Some(0.0), dropped: Some(0.0), ..ErrorBudget::default() },
         );
-        let told = exact.told(Asking::Scene);
+        let told = exact.for_summary(RequestSource::Scene);
         assert_eq!((told.met, told.reached_db, told.level_db()), (Some(true), None, Some(f64::NEG_INFINITY)));
-        assert_eq!(exact.lines(Asking::Scene), ["numerical error none, −20.0 dB asked: reached"]);
+        assert_eq!(exact.lines(RequestSource::Scene), ["numerical error none, −20.0 dB asked: reached"]);
     }
 
     #[test]
     fn every_share_of_a_budget_has_a_cause_and_a_help_of_its_own() {
         for (share, _) in ErrorBudget::default().shares() {
-            for asking in [Asking::Scene, Asking::Options] {
-                assert_ne!(cause_and_help(share, asking).0, "of unknown cause", "{share}");
+            for source in [RequestSource::Scene, RequestSource::Options] {
+                assert_ne!(cause_and_remedy(share, source).0, "of unknown cause", "{share}");
             }
         }
     }
@@ -417,7 +418,7 @@ mod tests {
     #[test]
     fn what_to_ask_for_instead_is_finer_by_what_is_missing() {
         // 0.2 is −13.98 dB, 6.02 dB above what was asked.
-        let advice = of(0.2, 0.001).advice(Asking::Options).unwrap();
+        let advice = of(0.2, 0.001).advice(RequestSource::Options).unwrap();
         assert!(advice.ends_with("--accuracy-db -27."), "{advice}");
     }
 
@@ -425,24 +426,29 @@ mod tests {
     fn an_accuracy_that_the_model_does_not_have_is_told_as_of_no_use() {
         let model = |nodes| ModelError { nodes: Some(nodes), ..ModelError::default() };
         // −20 dB asked; 0.3 is −10.46 dB.
-        let beyond = of(0.02, 0.03).beside(&model(0.3)).told(Asking::Scene);
+        let beyond = of(0.02, 0.03).with_model_error(&model(0.3)).for_summary(RequestSource::Scene);
         assert!((beyond.of_use_db.unwrap() + 10.458).abs() < 1e-3, "{beyond:?}");
         let sentence = "The model's largest named error is −10.5 dB (nodes): accuracy_db below that buys \
                         nothing.";
         assert_eq!((beyond.met, beyond.advice.as_deref()), (Some(true), Some(sentence)));
-        let missed = of(0.2, 0.001).beside(&model(0.3)).told(Asking::Options).advice.unwrap();
+        let missed =
+            of(0.2, 0.001).with_model_error(&model(0.3)).for_summary(RequestSource::Options).advice.unwrap();
         let (limit, of_use) = missed.split_once(". The").unwrap();
         assert!(limit.starts_with("Limited by integration") && of_use.contains("--accuracy-db"), "{missed}");
-        let enough = of(0.02, 0.03).beside(&model(0.09)).told(Asking::Scene);
+        let enough = of(0.02, 0.03).with_model_error(&model(0.09)).for_summary(RequestSource::Scene);
         assert_eq!(enough.advice, None, "the model is better than asked");
         assert!((enough.of_use_db.unwrap() + 20.915).abs() < 1e-3, "{enough:?}");
-        assert_eq!(of(0.02, 0.03).told(Asking::Scene).of_use_db, None, "nothing is known of the model");
+        assert_eq!(
+            of(0.02, 0.03).for_summary(RequestSource::Scene).of_use_db,
+            None,
+            "nothing is known of the model"
+        );
     }
 
     #[test]
     fn what_the_accuracy_is_asked_for_is_told_with_it() {
         let for_class = Verdict { goal: Some(Goal::Class), ..of(0.02, 0.03) };
-        let told = for_class.told(Asking::Scene);
+        let told = for_class.for_summary(RequestSource::Scene);
         let lines = lines(&told, &ErrorFigures::of(&for_class.error));
         assert!(lines[0].contains("−20.0 dB asked for \"class\": reached"), "{lines:?}");
         let json = serde_json::to_value(&told).unwrap();
@@ -456,11 +462,11 @@ mod tests {
     fn what_helps_against_freezing_depends_on_the_nodes_at_which_the_frame_was_traced() {
         let of_paths = |nodes, paths| {
             let nodes = Some((nodes, paths));
-            Verdict { nodes, ..of(0.02, 0.24) }.advice(Asking::Scene).unwrap()
+            Verdict { nodes, ..of(0.02, 0.24) }.advice(RequestSource::Scene).unwrap()
         };
         let advice = |nodes| of_paths(nodes, 1000);
         let most = bart_rcs::MOMENTS_MAX;
-        let unknown = of(0.02, 0.24).advice(Asking::Scene).unwrap();
+        let unknown = of(0.02, 0.24).advice(RequestSource::Scene).unwrap();
         assert!(unknown.contains("shorter frame"), "nothing is known of nodes: {unknown}");
         assert!(advice(1).contains("smaller array"), "more were no help: {}", advice(1));
         assert!(advice(most).contains("slower bodies"), "{}", advice(most));
@@ -468,7 +474,8 @@ mod tests {
         assert!(full.contains("more paths than are held"), "nine times as many would be too many: {full}");
         let fewer = advice(most / 2 + 1);
         assert!(fewer.contains("over both together") && !fewer.contains("slower bodies"), "{fewer}");
-        let other = Verdict { nodes: Some((most, 1000)), ..of(0.24, 0.02) }.advice(Asking::Scene).unwrap();
+        let other =
+            Verdict { nodes: Some((most, 1000)), ..of(0.24, 0.02) }.advice(RequestSource::Scene).unwrap();
         assert!(
             other.contains("integration") && !other.contains("slower bodies"),
             "freezing is not what limits: {other}"

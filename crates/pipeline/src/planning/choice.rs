@@ -1,12 +1,12 @@
 //! Choices of the modelled physics, made from the share of each part of the echo.
 
-use crate::planning::echo_shares::Shares;
+use crate::planning::echo_shares::EchoShares;
 use crate::planning::physics_part::PhysicsPart;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Physics that the scene itself specifies and that is not chosen.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(crate) struct Fixed {
+pub(crate) struct SpecifiedPhysics {
     /// Highest order of reflection.
     pub(crate) bounces: Option<u8>,
     /// Parts, and whether they are modelled.
@@ -19,14 +19,14 @@ pub(crate) struct Budget {
     /// Total error of all choices.
     pub(crate) whole: f64,
     /// Reason why that is more than was requested.
-    pub(crate) limit: Limit,
+    pub(crate) limit: AccuracyLimit,
 }
 
 /// Reason why an accuracy is no finer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Limit {
+pub(crate) enum AccuracyLimit {
     /// The requested accuracy.
-    Asked,
+    Requested,
     /// The method: node rules disagree by more.
     Nodes,
     /// The noise of the map hides what is finer.
@@ -34,15 +34,18 @@ pub(crate) enum Limit {
 }
 
 /// Share of the largest error of the method that all other errors may take: half of it adds a tenth, 1 dB.
-const OF_METHOD: f64 = 0.5;
+const METHOD_SHARE: f64 = 0.5;
 
 impl Budget {
     /// Budget of an accuracy: no finer than the method, nor than the noise.
-    pub(crate) fn of(asked: f64, shares: &Shares) -> Self {
-        let candidates =
-            [(asked, Limit::Asked), (OF_METHOD * shares.nodes, Limit::Nodes), (shares.noise, Limit::Noise)];
+    pub(crate) fn of(asked: f64, shares: &EchoShares) -> Self {
+        let candidates = [
+            (asked, AccuracyLimit::Requested),
+            (METHOD_SHARE * shares.nodes, AccuracyLimit::Nodes),
+            (shares.noise, AccuracyLimit::Noise),
+        ];
         let largest = candidates.into_iter().reduce(|a, b| if b.0 > a.0 { b } else { a });
-        let (whole, limit) = largest.unwrap_or((asked, Limit::Asked));
+        let (whole, limit) = largest.unwrap_or((asked, AccuracyLimit::Requested));
         // At the amplitude itself, nothing at all would be modelled.
         Self { whole: whole.min(COARSEST), limit }
     }
@@ -53,7 +56,7 @@ const COARSEST: f64 = 0.7;
 
 /// Modelled physics, and its accuracy.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Choice {
+pub(crate) struct PhysicsChoice {
     /// Highest order of reflection.
     pub(crate) bounces: u8,
     /// Parts that are modelled.
@@ -81,21 +84,21 @@ const NEARLY_ALL: f64 = 0.6;
 /// Share of the budget below which a difference between node rules is negligible.
 const ONE_NODE_RULE: f64 = 0.25;
 
-impl Choice {
+impl PhysicsChoice {
     /// Choices that keep the budget and omit as much as possible; the rest of the budget is for integrals.
     /// The first choice is the whole physics, where the omissions would require considerably finer integrals.
     /// The cheapest choice depends on the costs.
     ///
     /// Omissions are judged by power: parts of an echo have independent phases.
-    pub(crate) fn all(budget: &Budget, shares: &Shares, fixed: &Fixed) -> Vec<Self> {
-        let whole = Physics::whole(fixed);
+    pub(crate) fn all(budget: &Budget, shares: &EchoShares, specified: &SpecifiedPhysics) -> Vec<Self> {
+        let whole = Physics::whole(specified);
         let begin = whole.left_out_power(shares);
         let chosen = |physics: &Physics| (physics.left_out_power(shares) - begin).max(0.0);
         let room = LEFT_OUT_POWER * budget.whole.powi(2);
         let keeps = |physics: &Physics| chosen(physics) <= room;
         let any_node_rule = shares.nodes <= ONE_NODE_RULE * budget.whole;
-        let leaves_most = |physics: &Physics| !physics.one_less(fixed).iter().any(keeps);
-        let every = whole.every_less(fixed);
+        let leaves_most = |physics: &Physics| !physics.with_one_omitted(specified).iter().any(keeps);
+        let every = whole.all_reductions(specified);
         let least = every.iter().filter(|physics| keeps(physics) && leaves_most(physics));
         let of = |physics: &Physics| Self {
             left_out: chosen(physics).sqrt(),
@@ -137,38 +140,40 @@ struct Physics {
 
 impl Physics {
     /// All physics except that which the scene itself omits.
-    fn whole(fixed: &Fixed) -> Self {
-        let is_in = |part: &PhysicsPart| fixed.parts.get(part).copied().unwrap_or(true);
+    fn whole(specified: &SpecifiedPhysics) -> Self {
+        let is_in = |part: &PhysicsPart| specified.parts.get(part).copied().unwrap_or(true);
         Self {
-            bounces: fixed.bounces.unwrap_or(MOST_BOUNCES),
+            bounces: specified.bounces.unwrap_or(MOST_BOUNCES),
             modelled: PhysicsPart::ALL.into_iter().filter(is_in).collect(),
         }
     }
 
     /// Omits one more part or order, in every possible way.
-    fn one_less(&self, fixed: &Fixed) -> Vec<Self> {
-        let open = |part: &PhysicsPart| self.modelled.contains(part) && !fixed.parts.contains_key(part);
+    fn with_one_omitted(&self, specified: &SpecifiedPhysics) -> Vec<Self> {
+        let open = |part: &PhysicsPart| self.modelled.contains(part) && !specified.parts.contains_key(part);
         let without = |part: PhysicsPart| {
             let mut modelled = self.modelled.clone();
             modelled.remove(&part);
             Self { modelled, ..*self }
         };
-        let fewer = (fixed.bounces.is_none() && self.bounces > 1)
+        let fewer = (specified.bounces.is_none() && self.bounces > 1)
             .then(|| Self { bounces: self.bounces - 1, modelled: self.modelled.clone() });
         fewer.into_iter().chain(PhysicsPart::ALL.into_iter().filter(open).map(without)).collect()
     }
 
     /// This physics and all that omit more, in the order of orders and parts.
-    fn every_less(&self, fixed: &Fixed) -> BTreeSet<Self> {
+    fn all_reductions(&self, specified: &SpecifiedPhysics) -> BTreeSet<Self> {
         let mut every = BTreeSet::from([self.clone()]);
         let mut open = vec![self.clone()];
         while let Some(physics) = open.pop() {
-            open.extend(physics.one_less(fixed).into_iter().filter(|less| every.insert(less.clone())));
+            open.extend(
+                physics.with_one_omitted(specified).into_iter().filter(|less| every.insert(less.clone())),
+            );
         }
         every
     }
 
-    fn left_out_power(&self, shares: &Shares) -> f64 {
+    fn left_out_power(&self, shares: &EchoShares) -> f64 {
         let is_out = |part: PhysicsPart| !self.modelled.contains(&part);
         let sheets = if is_out(PhysicsPart::Sheets) { shares.sheets.powi(2) } else { 0.0 };
         let orders = (1..).zip(shares.within.iter().zip(&shares.between));
@@ -183,14 +188,14 @@ impl Physics {
                 + of_part(PhysicsPart::Edges, shares.by_edges(order))
         };
         orders.map(of_order).sum::<f64>()
-            + if self.bounces < MOST_BOUNCES { beyond(shares) } else { 0.0 }
+            + if self.bounces < MOST_BOUNCES { higher_orders_power(shares) } else { 0.0 }
             + sheets
     }
 }
 
 /// Power of the orders beyond the look, extrapolated from the ratio of the last two, and at most that of the
 /// last.
-fn beyond(shares: &Shares) -> f64 {
+fn higher_orders_power(shares: &EchoShares) -> f64 {
     let power = |at: usize| {
         let order = at as u8 + 1;
         let all = [shares.within[at], shares.between[at], shares.by_road(order), shares.by_edges(order)];
@@ -210,8 +215,8 @@ fn beyond(shares: &Shares) -> f64 {
 mod tests {
     use super::*;
 
-    fn shares() -> Shares {
-        Shares {
+    fn shares() -> EchoShares {
+        EchoShares {
             within: vec![1.0, 0.3, 0.03, 0.003],
             between: vec![0.0, 0.02, 0.002, 0.0002],
             nodes: 0.0,
@@ -223,13 +228,13 @@ mod tests {
         }
     }
 
-    fn all(asked: f64, shares: &Shares, fixed: &Fixed) -> Vec<Choice> {
-        Choice::all(&Budget::of(asked, shares), shares, fixed)
+    fn all(asked: f64, shares: &EchoShares, specified: &SpecifiedPhysics) -> Vec<PhysicsChoice> {
+        PhysicsChoice::all(&Budget::of(asked, shares), shares, specified)
     }
 
     #[test]
     fn choices_leave_out_all_that_the_budget_spares_and_the_rest_is_the_integrals() {
-        let all = all(0.1, &shares(), &Fixed::default());
+        let all = all(0.1, &shares(), &SpecifiedPhysics::default());
         let [least] = &all[..] else { panic!("{all:?}") };
         assert_eq!((least.bounces, &least.modelled), (2, &BTreeSet::from([PhysicsPart::Road])));
         let left =
@@ -240,8 +245,8 @@ mod tests {
 
     #[test]
     fn all_of_the_physics_is_a_choice_where_what_is_left_out_takes_much_of_the_integrals() {
-        let much = Shares { within: vec![1.0, 0.3, 0.079, 0.003], ..shares() };
-        let all = all(0.1, &much, &Fixed::default());
+        let much = EchoShares { within: vec![1.0, 0.3, 0.079, 0.003], ..shares() };
+        let all = all(0.1, &much, &SpecifiedPhysics::default());
         assert_eq!((all[0].bounces, all[0].modelled.len(), all[0].left_out), (5, 4, 0.0), "everything on");
         assert!((all[0].numerical - 0.1).abs() < 1e-12, "nothing left out: {}", all[0].numerical);
         let [least] = &all[1..] else { panic!("{all:?}") };
@@ -266,8 +271,8 @@ mod tests {
 
     #[test]
     fn where_one_part_or_the_other_can_be_spared_both_are_choices() {
-        let either = Shares { within: vec![1.0, 0.5, 0.08, 0.0], road: Some(vec![0.08]), ..shares() };
-        let modelled: Vec<(u8, bool)> = all(0.1, &either, &Fixed::default())
+        let either = EchoShares { within: vec![1.0, 0.5, 0.08, 0.0], road: Some(vec![0.08]), ..shares() };
+        let modelled: Vec<(u8, bool)> = all(0.1, &either, &SpecifiedPhysics::default())
             .iter()
             .filter(|choice| choice.left_out > 0.0)
             .map(|choice| (choice.bounces, choice.modelled.contains(&PhysicsPart::Road)))
@@ -279,7 +284,7 @@ mod tests {
     fn a_coarser_accuracy_lets_more_be_left_out() {
         let mut before = usize::MAX;
         for asked in [0.003, 0.01, 0.03, 0.1, 0.3] {
-            let choice = all(asked, &shares(), &Fixed::default()).pop().unwrap();
+            let choice = all(asked, &shares(), &SpecifiedPhysics::default()).pop().unwrap();
             let modelled = choice.modelled.len() + usize::from(choice.bounces);
             assert!(modelled <= before, "{asked}");
             before = modelled;
@@ -289,16 +294,16 @@ mod tests {
     #[test]
     fn what_the_scene_says_is_neither_left_out_nor_counted_as_a_choice() {
         let parts = BTreeMap::from([(PhysicsPart::Road, false), (PhysicsPart::Edges, true)]);
-        let fixed = Fixed { bounces: Some(4), parts };
-        let choice = all(0.1, &shares(), &fixed).pop().unwrap();
+        let specified = SpecifiedPhysics { bounces: Some(4), parts };
+        let choice = all(0.1, &shares(), &specified).pop().unwrap();
         assert_eq!((choice.bounces, choice.modelled), (4, BTreeSet::from([PhysicsPart::Edges])));
         assert!((choice.left_out - 0.02_f64.hypot(0.002).hypot(0.0002)).abs() < 1e-9);
     }
 
     #[test]
     fn edges_of_an_order_that_cannot_be_spared_are_modelled_with_the_road_up_to_it() {
-        let both = Shares { edges: vec![0.01, 0.0, 0.15, 0.0], ..shares() };
-        let least = all(0.1, &both, &Fixed::default()).pop().unwrap();
+        let both = EchoShares { edges: vec![0.01, 0.0, 0.15, 0.0], ..shares() };
+        let least = all(0.1, &both, &SpecifiedPhysics::default()).pop().unwrap();
         assert_eq!(
             (least.bounces, least.modelled),
             (3, BTreeSet::from([PhysicsPart::Road, PhysicsPart::Edges]))
@@ -307,19 +312,19 @@ mod tests {
 
     #[test]
     fn nothing_is_spent_beyond_what_the_method_or_the_noise_lets_be_seen() {
-        let rules = Shares { nodes: 0.4, ..shares() };
-        assert_eq!(Budget::of(0.03, &rules), Budget { whole: 0.2, limit: Limit::Nodes });
-        let noisy = Shares { noise: 0.05, ..shares() };
-        assert_eq!(Budget::of(0.03, &noisy), Budget { whole: 0.05, limit: Limit::Noise });
-        assert_eq!(Budget::of(0.3, &rules), Budget { whole: 0.3, limit: Limit::Asked });
+        let rules = EchoShares { nodes: 0.4, ..shares() };
+        assert_eq!(Budget::of(0.03, &rules), Budget { whole: 0.2, limit: AccuracyLimit::Nodes });
+        let noisy = EchoShares { noise: 0.05, ..shares() };
+        assert_eq!(Budget::of(0.03, &noisy), Budget { whole: 0.05, limit: AccuracyLimit::Noise });
+        assert_eq!(Budget::of(0.3, &rules), Budget { whole: 0.3, limit: AccuracyLimit::Requested });
     }
 
     #[test]
     fn orders_beyond_the_look_fall_as_the_last_did_and_never_grow() {
         let power = |share: f64| share.powi(2);
-        let falling = beyond(&shares());
+        let falling = higher_orders_power(&shares());
         assert!((falling / (power(0.003) / 100.0) - 1.0).abs() < 0.02, "{falling}");
-        let rising = Shares { within: vec![1.0, 0.1, 0.1, 0.2], between: vec![0.0; 4], ..shares() };
-        assert!((beyond(&rising) - power(0.2)).abs() < 1e-15);
+        let rising = EchoShares { within: vec![1.0, 0.1, 0.1, 0.2], between: vec![0.0; 4], ..shares() };
+        assert!((higher_orders_power(&rising) - power(0.2)).abs() < 1e-15);
     }
 }

@@ -5,7 +5,7 @@ use crate::chain::link::Chain;
 use crate::chain::plan::FramePlan;
 use crate::host::failure::Failure;
 use crate::host::memory::Allowance;
-use crate::planning::choice::Fixed;
+use crate::planning::choice::SpecifiedPhysics;
 use crate::planning::physics_part::PhysicsPart;
 use artifact::scene::SceneHeader;
 use bart_rcs::Tracer;
@@ -14,13 +14,13 @@ use std::collections::BTreeMap;
 /// Whether a plan includes the cost of each part of the physics.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum PartCosts {
-    Told,
-    Untold,
+    Estimated,
+    Omitted,
 }
 
 /// Expected processor seconds.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(crate) struct Seconds {
+pub(crate) struct PlanSeconds {
     /// Scene before the plan, with its accuracy.
     pub(crate) as_said: f64,
     /// Scene as planned.
@@ -36,13 +36,14 @@ pub(crate) struct Seconds {
 pub(crate) fn seconds(
     before: &SceneHeader,
     (planned, planned_s): (&SceneHeader, Option<f64>),
-    open: Option<&Fixed>,
+    open: Option<&SpecifiedPhysics>,
     expected_s: impl Fn(&SceneHeader) -> Result<f64, Failure>,
-) -> Result<Seconds, Failure> {
+) -> Result<PlanSeconds, Failure> {
     let planned_s = planned_s.map_or_else(|| expected_s(planned), Ok)?;
-    let mut seconds = Seconds { as_said: expected_s(before)?, planned: planned_s, ..Seconds::default() };
-    let Some(fixed) = open else { return Ok(seconds) };
-    for part in PhysicsPart::ALL.into_iter().filter(|part| !fixed.parts.contains_key(part)) {
+    let mut seconds =
+        PlanSeconds { as_said: expected_s(before)?, planned: planned_s, ..PlanSeconds::default() };
+    let Some(specified) = open else { return Ok(seconds) };
+    for part in PhysicsPart::ALL.into_iter().filter(|part| !specified.parts.contains_key(part)) {
         if let Some(changed) = changed(planned, part) {
             seconds.with_one_changed.insert(part, expected_s(&changed)?);
         }

@@ -1,18 +1,18 @@
 //! Shares of the echo's parts in the whole echo, over the frames looked at.
 
-use crate::chain::expected_work::frames_looked_at;
+use crate::chain::expected_work::probed_frames;
 use crate::host::failure::Failure;
 use crate::host::memory::Allowance;
 use artifact::scene::SceneHeader;
 use artifact::settings::Noise;
 use artifact::units::{BOLTZMANN_J_PER_K, power_from_db};
-use bart_rcs::{EchoParts, Tracer, Unheard};
+use bart_rcs::{EchoParts, NoProgress, Tracer};
 use num_complex::Complex64;
-use scene::SaidPhysics;
+use scene::PhysicsKeys;
 
 /// Shares of the echo as relative amplitudes, each the largest of the frames looked at.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(crate) struct Shares {
+pub(crate) struct EchoShares {
     /// Paths within one body, by order from 1.
     pub(crate) within: Vec<f64>,
     /// Paths over several bodies, by order from 1.
@@ -36,15 +36,15 @@ pub(crate) struct Shares {
 /// A road that the scene itself omits is not part of the whole.
 pub(crate) fn shares(
     header: &SceneHeader,
-    said: &SaidPhysics,
+    said: &PhysicsKeys,
     tracer: &Tracer,
-) -> Result<Option<Shares>, Failure> {
+) -> Result<Option<EchoShares>, Failure> {
     let has_no_road = said.road && header.road.is_none();
-    let mut all: Option<Shares> = None;
-    for index in frames_looked_at(header.frames) {
+    let mut all: Option<EchoShares> = None;
+    for index in probed_frames(header.frames) {
         let Some(parts) = parts(tracer, header, index)? else { continue };
         let noise = noise(header, index, &parts.amplitude_m);
-        let of_frame = Shares { noise, ..of_parts(parts) };
+        let of_frame = EchoShares { noise, ..of_parts(parts) };
         let of_frame = if has_no_road { of_frame } else { of_frame.over_road() };
         all = Some(match all {
             Some(before) => before.larger(of_frame),
@@ -61,14 +61,14 @@ pub(crate) fn tracer(header: &SceneHeader, memory: Allowance) -> Result<Tracer, 
 
 fn parts(tracer: &Tracer, header: &SceneHeader, index: u32) -> Result<Option<EchoParts>, Failure> {
     let (view, frame) = (scene::frame_view(header, index), scene::snapshot(header, index));
-    tracer.parts(&view, &frame, &Unheard).map_err(Failure::refused)
+    tracer.echo_parts(&view, &frame, &NoProgress).map_err(Failure::refused)
 }
 
-fn of_parts(parts: EchoParts) -> Shares {
+fn of_parts(parts: EchoParts) -> EchoShares {
     let EchoParts { within, between, nodes, road, edges, transmission, .. } = parts;
     let whole_with_road = road.as_ref().map_or(1.0, |road| road.whole);
     let road = road.map(|road| road.by_order);
-    Shares { within, between, nodes, road, whole_with_road, edges, sheets: transmission, noise: 0.0 }
+    EchoShares { within, between, nodes, road, whole_with_road, edges, sheets: transmission, noise: 0.0 }
 }
 
 /// Relative amplitude of an echo that, concentrated in one cell and with all channels added in phase, is as
@@ -94,7 +94,7 @@ fn noise(header: &SceneHeader, index: u32, amplitude_m: &[Complex64]) -> f64 {
     power_ratio.sqrt()
 }
 
-impl Shares {
+impl EchoShares {
     /// The larger of each share.
     fn larger(self, other: Self) -> Self {
         let each = |a: Vec<f64>, b: Vec<f64>| a.into_iter().zip(b).map(|(a, b)| a.max(b)).collect();

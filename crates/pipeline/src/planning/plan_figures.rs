@@ -1,8 +1,8 @@
 //! A plan in figures, for `summary.json`, and in lines of text.
 
-use crate::planning::choice::{Budget, Choice, Fixed, Limit};
-use crate::planning::costs::Seconds;
-use crate::planning::echo_shares::{Shares, together};
+use crate::planning::choice::{AccuracyLimit, Budget, PhysicsChoice, SpecifiedPhysics};
+use crate::planning::costs::PlanSeconds;
+use crate::planning::echo_shares::{EchoShares, together};
 use crate::planning::physics_part::PhysicsPart;
 use artifact::Accuracy;
 use artifact::scene::SceneHeader;
@@ -53,16 +53,16 @@ pub struct PartFigures {
 }
 
 /// A choice with its basis.
-pub(crate) struct Chosen {
+pub(crate) struct ChosenPlan {
     pub(crate) asked: Accuracy,
     pub(crate) budget: Budget,
-    pub(crate) shares: Shares,
-    pub(crate) fixed: Fixed,
-    pub(crate) choice: Choice,
-    pub(crate) seconds: Seconds,
+    pub(crate) shares: EchoShares,
+    pub(crate) specified: SpecifiedPhysics,
+    pub(crate) choice: PhysicsChoice,
+    pub(crate) seconds: PlanSeconds,
 }
 
-impl Chosen {
+impl ChosenPlan {
     /// Figures of the plan, whose choice is already in the header.
     pub(crate) fn figures(&self, planned: &SceneHeader) -> PlanFigures {
         let Self { budget, choice, seconds, .. } = self;
@@ -91,7 +91,7 @@ impl Chosen {
             PartFigures {
                 name: format!("reflections of order {order}"),
                 modelled: order <= choice.bounces,
-                said: self.fixed.bounces.is_some(),
+                said: self.specified.bounces.is_some(),
                 share_db: Some(db_from_amplitude(within.hypot(*between))),
                 processor_s: more_s.map(|s| s.max(0.0)),
             }
@@ -104,7 +104,7 @@ impl Chosen {
         PartFigures {
             name: part.name().into(),
             modelled: choice.modelled.contains(&part),
-            said: self.fixed.parts.contains_key(&part),
+            said: self.specified.parts.contains_key(&part),
             share_db: share(part, &self.shares).map(db_from_amplitude),
             processor_s: cost,
         }
@@ -176,7 +176,7 @@ impl PartFigures {
     }
 }
 
-fn share(part: PhysicsPart, shares: &Shares) -> Option<f64> {
+fn share(part: PhysicsPart, shares: &EchoShares) -> Option<f64> {
     match part {
         PhysicsPart::BetweenBodies => Some(together(&shares.between)),
         PhysicsPart::Road => shares.road.as_deref().map(together),
@@ -186,11 +186,11 @@ fn share(part: PhysicsPart, shares: &Shares) -> Option<f64> {
 }
 
 /// Name of a limit, as in [`PlanFigures::limited_by`].
-pub(crate) fn limit_name(limit: Limit) -> &'static str {
+pub(crate) fn limit_name(limit: AccuracyLimit) -> &'static str {
     match limit {
-        Limit::Asked => "asked",
-        Limit::Nodes => "nodes",
-        Limit::Noise => "noise",
+        AccuracyLimit::Requested => "asked",
+        AccuracyLimit::Nodes => "nodes",
+        AccuracyLimit::Noise => "noise",
     }
 }
 

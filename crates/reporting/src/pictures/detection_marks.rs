@@ -5,7 +5,7 @@ use plotting::marks::Mark;
 
 /// Mark of a detected point.
 pub(super) fn of_point(point: &Point) -> Mark {
-    if point.stationary == Some(true) { Mark::Hollow } else { Mark::Dot }
+    if point.stationary == Some(true) { Mark::SmallRing } else { Mark::Dot }
 }
 
 /// Owner of an object, as far as truth is known.
@@ -21,8 +21,8 @@ pub(super) enum Owner {
 /// Mark of an object.
 pub(super) fn of_object(object: &Object, owner: Owner) -> Mark {
     match (owner, object.stationary) {
-        (Owner::Nobody | Owner::Unknown, Some(true)) => Mark::Box,
-        (Owner::Nobody, _) => Mark::BrokenRing,
+        (Owner::Nobody | Owner::Unknown, Some(true)) => Mark::SquareOutline,
+        (Owner::Nobody, _) => Mark::DashedRing,
         (Owner::Body | Owner::Unknown, _) => Mark::Ring,
     }
 }
@@ -33,9 +33,9 @@ pub(super) const POINT_AT_REST: &str = "point at rest";
 /// Meaning of an object's mark.
 pub(super) fn words(mark: Mark, owner: Owner) -> &'static str {
     match (mark, owner) {
-        (Mark::Box, Owner::Nobody) => "object at rest that is no body's",
-        (Mark::Box, _) => "object at rest",
-        (Mark::BrokenRing, _) => "false object, # as in the table",
+        (Mark::SquareOutline, Owner::Nobody) => "object at rest that is no body's",
+        (Mark::SquareOutline, _) => "object at rest",
+        (Mark::DashedRing, _) => "false object, # as in the table",
         _ => "object",
     }
 }
@@ -49,10 +49,10 @@ mod tests {
     fn objects_at_rest_look_otherwise_unless_they_are_a_bodys() {
         let object = |stationary| Object { stationary, ..OBJECT };
         let mark = |stationary, owner| of_object(&object(stationary), owner);
-        assert_eq!(mark(Some(true), Owner::Nobody), Mark::Box);
-        assert_eq!(mark(Some(true), Owner::Unknown), Mark::Box);
+        assert_eq!(mark(Some(true), Owner::Nobody), Mark::SquareOutline);
+        assert_eq!(mark(Some(true), Owner::Unknown), Mark::SquareOutline);
         assert_eq!(mark(Some(true), Owner::Body), Mark::Ring);
-        assert_eq!([mark(Some(false), Owner::Nobody), mark(None, Owner::Nobody)], [Mark::BrokenRing; 2]);
+        assert_eq!([mark(Some(false), Owner::Nobody), mark(None, Owner::Nobody)], [Mark::DashedRing; 2]);
         assert_eq!(mark(None, Owner::Unknown), Mark::Ring);
     }
 

@@ -4,14 +4,14 @@
 use crate::pictures::bodies::Body;
 use crate::pictures::field_of_view;
 use crate::pictures::lane_sides::lane_sides_m;
-use crate::pictures::off_map_marks::{Beyond, Thing};
+use crate::pictures::off_map_marks::{MarkKind, OffMapMarks};
 use artifact::radar::Radar;
-use artifact::settings::{Course, Lanes};
+use artifact::settings::{Lanes, NetworkLane};
 use plotting::axes::{Axes, Axis};
 use plotting::clip;
-use plotting::form::Form;
-use plotting::heat_map::head;
+use plotting::heat_map::draw_title;
 use plotting::labels::Labels;
+use plotting::layout::Layout;
 use plotting::marks::{Legend, Mark};
 use plotting::svg::Svg;
 
@@ -48,46 +48,50 @@ impl Region {
     }
 
     /// Direction of the road on the sheet: to the right if the region is long, else upwards.
-    pub(super) fn way(&self, form: Form) -> RoadDirection {
+    pub(super) fn way(&self, layout: Layout) -> RoadDirection {
         let [across_m, along_m] = self.sizes_m();
-        if form == Form::Wide && across_m < 0.6 * along_m { RoadDirection::Right } else { RoadDirection::Up }
+        if layout == Layout::Wide && across_m < 0.6 * along_m {
+            RoadDirection::Right
+        } else {
+            RoadDirection::Up
+        }
     }
 }
 
 /// A sheet with a piece of ground on it.
 pub(super) struct Ground {
     sheet: Svg,
-    form: Form,
+    layout: Layout,
     axes: Axes,
     way: RoadDirection,
     road: Lanes,
     legend: Legend,
     labels: Labels,
-    beyond: Beyond,
+    beyond: OffMapMarks,
 }
 
 impl Ground {
     /// Makes an empty ground, to scale; the region is extended to fill the sheet's width.
-    pub(super) fn new(title: &str, notes: &[String], form: Form, region: Region, road: &Lanes) -> Self {
-        let mut sheet = Svg::new(title, form.width_px(), 0.0);
-        let top = head(&mut sheet, title, notes);
-        let way = region.way(form);
-        let axes = axes(form, way, region, top);
+    pub(super) fn new(title: &str, notes: &[String], layout: Layout, region: Region, road: &Lanes) -> Self {
+        let mut sheet = Svg::new(title, layout.width_px(), 0.0);
+        let top = draw_title(&mut sheet, title, notes);
+        let way = region.way(layout);
+        let axes = axes(layout, way, region, top);
         let frame = [axes.x.start_px, axes.y.end_px, axes.x.end_px, axes.y.start_px];
-        let (legend, labels, beyond) = (Legend::default(), Labels::within(frame), Beyond::of(frame));
-        Self { sheet, form, axes, way, road: road.clone(), legend, labels, beyond }
+        let (legend, labels, beyond) = (Legend::default(), Labels::within(frame), OffMapMarks::of(frame));
+        Self { sheet, layout, axes, way, road: road.clone(), legend, labels, beyond }
     }
 
     /// Adds the meaning of a mark to the legend.
-    pub(super) fn say(&mut self, mark: Mark, colour: &str, words: impl Into<String>) {
-        self.legend.say(mark, colour, words);
+    pub(super) fn add_legend(&mut self, mark: Mark, colour: &str, words: impl Into<String>) {
+        self.legend.add(mark, colour, words);
     }
 
     /// Pixel of a place across and along the road.
     fn pixel(&self, [across_m, along_m]: [f64; 2]) -> [f64; 2] {
         match self.way {
-            RoadDirection::Right => [self.axes.x.at(along_m), self.axes.y.at(across_m)],
-            RoadDirection::Up => [self.axes.x.at(across_m), self.axes.y.at(along_m)],
+            RoadDirection::Right => [self.axes.x.to_px(along_m), self.axes.y.to_px(across_m)],
+            RoadDirection::Up => [self.axes.x.to_px(across_m), self.axes.y.to_px(along_m)],
         }
     }
 
@@ -120,7 +124,7 @@ impl Ground {
     /// Writes words on the ground if there is room.
     pub(super) fn note(&mut self, [across_m, along_m]: [f64; 2], words: &str) {
         let [x, y] = self.pixel([across_m, along_m]);
-        self.labels.put([x, y, x, y], words);
+        self.labels.place([x, y, x, y], words);
     }
 
     /// Ends of the sheet along the road.
@@ -164,18 +168,19 @@ impl Ground {
             for i in 1..left.len() {
                 let corners = [left[i - 1], left[i], right[i], right[i - 1]].map(|place| self.world(place));
                 let corners = self.clipped(&corners);
-                self.sheet.ground("road", &corners);
+                self.sheet.polygon("road", &corners);
             }
         }
         for course in &road.courses {
             if let Some(at) = self.middle_on_sheet(course) {
-                self.labels.put([at[0], at[1], at[0], at[1]], &format!("{} {}", course.number, course.name));
+                self.labels
+                    .place([at[0], at[1], at[0], at[1]], &format!("{} {}", course.number, course.name));
             }
         }
     }
 
     /// Middle of the visible part of a lane.
-    fn middle_on_sheet(&self, course: &Course) -> Option<[f64; 2]> {
+    fn middle_on_sheet(&self, course: &NetworkLane) -> Option<[f64; 2]> {
         let line: Vec<[f64; 2]> = course.line_m.iter().map(|place| self.world(*place)).collect();
         let seen: Vec<[[f64; 2]; 2]> =
             line.windows(2).filter_map(|ends| clip::segment([ends[0], ends[1]], self.frame())).collect();
@@ -196,18 +201,18 @@ impl Ground {
         }
         let ahead = self.world(field_of_view::ahead_m(radar, radar.waveform.range_max_m()));
         if let Some(line) = clip::segment([at, ahead], self.frame()) {
-            self.sheet.broken(colour, 1.4, &line);
+            self.sheet.dashed_polyline(colour, 1.4, &line);
         }
         if self.holds(at) {
             Mark::Triangle.draw(&mut self.sheet, colour, at);
-            self.labels.put([at[0] - 7.0, at[1] - 7.0, at[0] + 7.0, at[1] + 7.0], name);
+            self.labels.place([at[0] - 7.0, at[1] - 7.0, at[0] + 7.0, at[1] + 7.0], name);
         } else {
-            self.beyond.mark(Thing::Radar, colour, at);
+            self.beyond.mark(MarkKind::Radar, colour, at);
         }
     }
 
     fn holds(&self, [x, y]: [f64; 2]) -> bool {
-        self.axes.x.holds(x) && self.axes.y.holds(y)
+        self.axes.x.contains_px(x) && self.axes.y.contains_px(y)
     }
 
     /// Draws the outline and the name of a body.
@@ -218,32 +223,39 @@ impl Ground {
         match &outline[..] {
             [] if body.corners_m.is_empty() && self.holds(middle) => {
                 Mark::Cross.draw(&mut self.sheet, body.colour, middle);
-                self.say(Mark::Cross, body.colour, format!("{} (truth)", body.kind));
+                self.add_legend(Mark::Cross, body.colour, format!("{} (truth)", body.kind));
                 self.labels
-                    .put([middle[0] - 6.0, middle[1] - 6.0, middle[0] + 6.0, middle[1] + 6.0], &body.name);
+                    .place([middle[0] - 6.0, middle[1] - 6.0, middle[0] + 6.0, middle[1] + 6.0], &body.name);
             }
-            [] => self.beyond.mark(Thing::Body, body.colour, middle),
+            [] => self.beyond.mark(MarkKind::Body, body.colour, middle),
             _ => {
-                self.sheet.outline(body.colour, &outline);
-                self.say(Mark::Outline, body.colour, format!("{} (truth)", body.kind));
+                self.sheet.translucent_polygon(body.colour, &outline);
+                self.add_legend(Mark::Outline, body.colour, format!("{} (truth)", body.kind));
                 let x = outline.iter().map(|p| p[0]);
                 let y = outline.iter().map(|p| p[1]);
                 let (x, y) = (ends(x), ends(y));
-                self.labels.put([x[0], y[0], x[1], y[1]], &body.name);
+                self.labels.place([x[0], y[0], x[1], y[1]], &body.name);
             }
         }
     }
 
     /// Draws a detected point or object: a mark if it is on the sheet, with a name if it has one.
-    pub(super) fn found(&mut self, thing: Thing, mark: Mark, colour: &str, position_m: [f64; 3], name: &str) {
+    pub(super) fn found(
+        &mut self,
+        kind: MarkKind,
+        mark: Mark,
+        colour: &str,
+        position_m: [f64; 3],
+        name: &str,
+    ) {
         let at = self.world([position_m[0], position_m[1]]);
         if !self.holds(at) {
-            self.beyond.mark(thing, colour, at);
+            self.beyond.mark(kind, colour, at);
             return;
         }
         mark.draw(&mut self.sheet, colour, at);
         if !name.is_empty() {
-            self.labels.put([at[0] - 8.0, at[1] - 8.0, at[0] + 8.0, at[1] + 8.0], name);
+            self.labels.place([at[0] - 8.0, at[1] - 8.0, at[0] + 8.0, at[1] + 8.0], name);
         }
     }
 
@@ -253,9 +265,9 @@ impl Ground {
         self.axes.draw(&mut self.sheet, labels[0], labels[1]);
         self.labels.draw(&mut self.sheet);
         if let Some(words) = self.beyond.draw(&mut self.sheet) {
-            self.legend.say(Mark::Arrow, "plain", words);
+            self.legend.add(Mark::Arrow, "plain", words);
         }
-        let [left, right] = self.form.sides_px();
+        let [left, right] = self.layout.sides_px();
         self.legend.draw(&mut self.sheet, self.axes.y.start_px + 62.0, [left - 44.0, right]);
         self.sheet
     }
@@ -266,9 +278,9 @@ fn ends(values: impl Iterator<Item = f64>) -> [f64; 2] {
 }
 
 /// Axes to scale: as large as width and height allow, with more ground in the remaining room.
-fn axes(form: Form, way: RoadDirection, region: Region, top: f64) -> Axes {
-    let [left, right] = form.sides_px();
-    let [least_px, most_px] = if form == Form::Wide { [230.0, 560.0] } else { [200.0, 470.0] };
+fn axes(layout: Layout, way: RoadDirection, region: Region, top: f64) -> Axes {
+    let [left, right] = layout.sides_px();
+    let [least_px, most_px] = if layout == Layout::Wide { [230.0, 560.0] } else { [200.0, 470.0] };
     let [across_m, along_m] = region.sizes_m();
     let (width_m, height_m) =
         if way == RoadDirection::Right { (along_m, across_m) } else { (across_m, along_m) };

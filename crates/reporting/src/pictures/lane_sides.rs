@@ -1,12 +1,12 @@
 //! Both sides of a lane with a course.
 
-use artifact::settings::Course;
+use artifact::settings::NetworkLane;
 
 /// Largest distance of a corner's side, in half widths: at hairpins the true one would be anywhere.
 const LONGEST_CORNER: f64 = 2.0;
 
 /// Left and right side of a lane, half a width from its middle, with a place for each of the middle's.
-pub(crate) fn lane_sides_m(course: &Course) -> [Vec<[f64; 2]>; 2] {
+pub(crate) fn lane_sides_m(course: &NetworkLane) -> [Vec<[f64; 2]>; 2] {
     [-0.5, 0.5].map(|share| beside(&course.line_m, share * course.width_m))
 }
 
@@ -35,8 +35,8 @@ fn right([x0, y0]: [f64; 2], [x1, y1]: [f64; 2]) -> [f64; 2] {
 mod tests {
     use super::*;
 
-    fn course(line_m: &[[f64; 2]]) -> Course {
-        Course { number: 1, name: "a_0".into(), width_m: 4.0, line_m: line_m.to_vec() }
+    fn course(line_m: &[[f64; 2]]) -> NetworkLane {
+        NetworkLane { number: 1, name: "a_0".into(), width_m: 4.0, line_m: line_m.to_vec() }
     }
 
     fn is_near(got: &[[f64; 2]], asked: &[[f64; 2]]) -> bool {

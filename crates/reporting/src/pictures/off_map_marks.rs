@@ -5,7 +5,7 @@ use plotting::svg::Svg;
 
 /// Kind of thing that can lie beyond the edges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Thing {
+pub(super) enum MarkKind {
     Radar,
     Body,
     Point,
@@ -14,22 +14,22 @@ pub(super) enum Thing {
 
 /// Things beyond a box of pixels.
 #[derive(Debug, Clone)]
-pub(super) struct Beyond {
+pub(super) struct OffMapMarks {
     frame: [f64; 4],
-    things: Vec<(Thing, String, [f64; 2])>,
+    things: Vec<(MarkKind, String, [f64; 2])>,
 }
 
 /// Least distance between arrows along an edge; closer things share one.
 const STEP_PX: f64 = 32.0;
 
-impl Beyond {
+impl OffMapMarks {
     pub(super) fn of(frame: [f64; 4]) -> Self {
         Self { frame, things: vec![] }
     }
 
     /// Adds a thing at a pixel outside.
-    pub(super) fn mark(&mut self, thing: Thing, colour: &str, at: [f64; 2]) {
-        self.things.push((thing, colour.to_owned(), at));
+    pub(super) fn mark(&mut self, kind: MarkKind, colour: &str, at: [f64; 2]) {
+        self.things.push((kind, colour.to_owned(), at));
     }
 
     /// Draws the arrows and returns their meaning; `None` if nothing is beyond.
@@ -62,13 +62,13 @@ impl Beyond {
 
     fn counted(&self) -> String {
         let kinds = [
-            (Thing::Radar, "radar", "radars"),
-            (Thing::Body, "body", "bodies"),
-            (Thing::Point, "point", "points"),
-            (Thing::Object, "object", "objects"),
+            (MarkKind::Radar, "radar", "radars"),
+            (MarkKind::Body, "body", "bodies"),
+            (MarkKind::Point, "point", "points"),
+            (MarkKind::Object, "object", "objects"),
         ];
         let counts = kinds.map(|(kind, one, many)| {
-            let count = self.things.iter().filter(|(thing, ..)| *thing == kind).count();
+            let count = self.things.iter().filter(|(other, ..)| *other == kind).count();
             (count, if count == 1 { one } else { many })
         });
         counts
@@ -83,10 +83,10 @@ impl Beyond {
 fn arrow(sheet: &mut Svg, [x, y]: [f64; 2], [dx, dy]: [f64; 2], colour: &str, count: usize) {
     // Tip on the edge, the rest inside.
     let corner = |back: f64, side: f64| [x - back * dx - side * dy, y - back * dy + side * dx];
-    sheet.solid(colour, &[[x, y], corner(9.0, 5.0), corner(9.0, -5.0)]);
+    sheet.filled_polygon(colour, &[[x, y], corner(9.0, 5.0), corner(9.0, -5.0)]);
     if count > 1 {
         let inside = corner(18.0, 0.0);
-        sheet.words_over([inside[0], inside[1] + 4.0], "middle", &count.to_string(), ["", "halo"]);
+        sheet.text_with_halo([inside[0], inside[1] + 4.0], "middle", &count.to_string(), ["", "halo"]);
     }
 }
 
@@ -96,10 +96,10 @@ mod tests {
 
     #[test]
     fn everything_beyond_is_counted_and_what_lies_close_shares_an_arrow() {
-        let mut beyond = Beyond::of([0.0, 0.0, 100.0, 50.0]);
-        beyond.mark(Thing::Point, "found", [120.0, 20.0]);
-        beyond.mark(Thing::Point, "found", [130.0, 22.0]);
-        beyond.mark(Thing::Body, "car", [50.0, -30.0]);
+        let mut beyond = OffMapMarks::of([0.0, 0.0, 100.0, 50.0]);
+        beyond.mark(MarkKind::Point, "found", [120.0, 20.0]);
+        beyond.mark(MarkKind::Point, "found", [130.0, 22.0]);
+        beyond.mark(MarkKind::Body, "car", [50.0, -30.0]);
         let mut sheet = Svg::new("", 100.0, 50.0);
         assert_eq!(beyond.draw(&mut sheet).unwrap(), "beyond the drawing: 1 body, 2 points");
         assert_eq!(sheet.inline().matches("<polygon").count(), 2);

@@ -5,70 +5,76 @@ use crate::pictures::bodies::bodies;
 use crate::pictures::detection_marks::{self, Owner};
 use crate::pictures::field_of_view;
 use crate::pictures::ground::{Ground, Region};
-use crate::pictures::off_map_marks::Thing;
+use crate::pictures::off_map_marks::MarkKind;
 use artifact::radar::Radar;
 use artifact::scene::SceneHeader;
 use artifact::settings::{Lane, Lanes};
 use pipeline::chain::frame_result::FrameResult;
-use plotting::form::Form;
+use plotting::layout::Layout;
 use plotting::marks::Mark;
 use plotting::svg::Svg;
 
-/// Draws truth, points and estimates of one frame; `nobodys` are indices of objects that belong to no body.
-pub(super) fn of_frame(header: &SceneHeader, result: &FrameResult, nobodys: &[usize], form: Form) -> Svg {
+/// Draws truth, points and estimates of one frame; `false_objects` are indices of objects that belong to no
+/// body.
+pub(super) fn of_frame(
+    header: &SceneHeader,
+    result: &FrameResult,
+    false_objects: &[usize],
+    layout: Layout,
+) -> Svg {
     let title = format!("Scene from above, frame {}", result.scene.index);
     let bodies = bodies(header, &result.scene);
     let (road, radar) = (&header.dsp.road, &header.radar);
     let places = bodies.iter().map(|body| road.across_along_m(body.place_m));
-    let mut ground = Ground::new(&title, &[], form, region(road, radar, places), road);
+    let mut ground = Ground::new(&title, &[], layout, region(road, radar, places), road);
     if lanes_in_reach(road, radar).next().is_some() {
         lanes(&mut ground, header);
     }
     if !road.courses.is_empty() {
         ground.courses(road);
         ground.lane_lines(road, [0.0; 2]);
-        ground.say(Mark::Line, "lanes", "lane of the network");
+        ground.add_legend(Mark::Line, "lanes", "lane of the network");
     }
     ground.radar("radar", "radar", radar);
     bodies.iter().for_each(|body| ground.body(body));
     for point in &result.points.points {
-        ground.found(Thing::Point, detection_marks::of_point(point), "found", point.position_m, "");
+        ground.found(MarkKind::Point, detection_marks::of_point(point), "found", point.position_m, "");
     }
-    let marks: Vec<(Mark, Owner)> = marks(result, nobodys).collect();
+    let marks: Vec<(Mark, Owner)> = marks(result, false_objects).collect();
     for (number, (object, (mark, _))) in result.points.objects.iter().zip(&marks).enumerate() {
-        let name = if *mark == Mark::BrokenRing { format!("#{number}") } else { String::new() };
-        ground.found(Thing::Object, *mark, "found", object.position_m, &name);
+        let name = if *mark == Mark::DashedRing { format!("#{number}") } else { String::new() };
+        ground.found(MarkKind::Object, *mark, "found", object.position_m, &name);
     }
-    say(&mut ground, radar, result, &marks);
+    add_legends(&mut ground, radar, result, &marks);
     ground.finish(axis_names(road))
 }
 
 /// Mark and owner of each object.
-fn marks(result: &FrameResult, nobodys: &[usize]) -> impl Iterator<Item = (Mark, Owner)> {
+fn marks(result: &FrameResult, false_objects: &[usize]) -> impl Iterator<Item = (Mark, Owner)> {
     result.points.objects.iter().enumerate().map(|(number, object)| {
-        let owner = if nobodys.contains(&number) { Owner::Nobody } else { Owner::Body };
+        let owner = if false_objects.contains(&number) { Owner::Nobody } else { Owner::Body };
         (detection_marks::of_object(object, owner), owner)
     })
 }
 
-fn say(ground: &mut Ground, radar: &Radar, result: &FrameResult, objects: &[(Mark, Owner)]) {
-    ground.say(Mark::Dot, "found", "detected point");
+fn add_legends(ground: &mut Ground, radar: &Radar, result: &FrameResult, objects: &[(Mark, Owner)]) {
+    ground.add_legend(Mark::Dot, "found", "detected point");
     if result.points.points.iter().any(|point| point.stationary == Some(true)) {
-        ground.say(Mark::Hollow, "found", detection_marks::POINT_AT_REST);
+        ground.add_legend(Mark::SmallRing, "found", detection_marks::POINT_AT_REST);
     }
-    for shown in [Mark::Ring, Mark::BrokenRing, Mark::Box] {
+    for shown in [Mark::Ring, Mark::DashedRing, Mark::SquareOutline] {
         if let Some((mark, owner)) = objects.iter().find(|(mark, _)| *mark == shown) {
-            ground.say(*mark, "found", detection_marks::words(*mark, *owner));
+            ground.add_legend(*mark, "found", detection_marks::words(*mark, *owner));
         }
     }
-    say_radar(ground, radar);
+    add_radar_legend(ground, radar);
 }
 
 /// Adds the marks of a radar to the legend.
-pub(super) fn say_radar(ground: &mut Ground, radar: &Radar) {
-    ground.say(Mark::Triangle, "radar", "radar");
-    ground.say(Mark::BrokenLine, "radar", "boresight");
-    ground.say(Mark::Line, "radar", field_of_view::words(radar));
+pub(super) fn add_radar_legend(ground: &mut Ground, radar: &Radar) {
+    ground.add_legend(Mark::Triangle, "radar", "radar");
+    ground.add_legend(Mark::DashedLine, "radar", "boresight");
+    ground.add_legend(Mark::Line, "radar", field_of_view::words(radar));
 }
 
 /// Names of the axes across and along the road; the world's x and y if those are the road's.
@@ -123,8 +129,8 @@ fn lanes(ground: &mut Ground, header: &SceneHeader) {
         ground.note([lane.centre_m, far_m], &format!("lane {}", lane.number));
     }
     ground.lane_lines(road, [crossing_m, far_m]);
-    ground.say(Mark::Outline, "lanes", "road");
-    ground.say(Mark::Line, "lanes", "lane");
+    ground.add_legend(Mark::Outline, "lanes", "road");
+    ground.add_legend(Mark::Line, "lanes", "lane");
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use crate::pictures::bodies::Body;
 use crate::pictures::detection_marks::{self, Owner};
 use crate::pictures::field_of_view;
 use crate::pictures::ground::Ground;
-use crate::pictures::off_map_marks::Thing;
+use crate::pictures::off_map_marks::MarkKind;
 use crate::pictures::plan_view::{axis_names, region};
 use artifact::cube::CubeHeader;
 use artifact::points::{Point, PointsFrame};
@@ -14,17 +14,17 @@ use dsp::angle::VirtualArray;
 use plotting::axes::{Axes, Axis};
 use plotting::clip;
 use plotting::colours::line_colour;
-use plotting::form::Form;
-use plotting::heat_map::head;
+use plotting::heat_map::draw_title;
+use plotting::layout::Layout;
 use plotting::marks::{Legend, Mark};
 use plotting::svg::Svg;
 
 /// Draws points and objects, and the true bodies, none if truth is unknown.
-pub(super) fn draw(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], form: Form) -> Svg {
+pub(super) fn draw(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], layout: Layout) -> Svg {
     if measures_elevation(header) {
-        views(header, frame, bodies, form)
+        views(header, frame, bodies, layout)
     } else {
-        plan(header, frame, bodies, form)
+        plan(header, frame, bodies, layout)
     }
 }
 
@@ -42,7 +42,7 @@ fn colour(point: &Point) -> &'static str {
 }
 
 /// Point cloud from above only, for an array without elevation rows.
-fn plan(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], form: Form) -> Svg {
+fn plan(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], layout: Layout) -> Svg {
     let road = &header.dsp.road;
     let height_m = header.dsp.assumed_height_m;
     let note = format!(
@@ -50,20 +50,20 @@ fn plan(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], form: Form) -
     );
     let places = bodies.iter().map(|body| body.place_m).chain(frame.points.iter().map(|p| p.position_m));
     let region = region(road, &header.radar, places.map(|place| road.across_along_m(place)));
-    let mut ground = Ground::new(&title(frame), &[note], form, region, road);
+    let mut ground = Ground::new(&title(frame), &[note], layout, region, road);
     ground.radar("radar", "radar", &header.radar);
     bodies.iter().for_each(|body| ground.body(body));
     for point in &frame.points {
-        ground.found(Thing::Point, detection_marks::of_point(point), colour(point), point.position_m, "");
+        ground.found(MarkKind::Point, detection_marks::of_point(point), colour(point), point.position_m, "");
     }
     for (number, object) in frame.objects.iter().enumerate() {
         let mark = detection_marks::of_object(object, Owner::Unknown);
-        ground.found(Thing::Object, mark, line_colour(number), object.position_m, &format!("#{number}"));
+        ground.found(MarkKind::Object, mark, line_colour(number), object.position_m, &format!("#{number}"));
     }
     meanings(frame, "object with its number")
         .into_iter()
-        .for_each(|(mark, class, words)| ground.say(mark, class, words));
-    crate::pictures::plan_view::say_radar(&mut ground, &header.radar);
+        .for_each(|(mark, class, words)| ground.add_legend(mark, class, words));
+    crate::pictures::plan_view::add_radar_legend(&mut ground, &header.radar);
     ground.finish(axis_names(road))
 }
 
@@ -76,12 +76,17 @@ fn meanings(frame: &PointsFrame, object: &'static str) -> Vec<(Mark, &'static st
     ];
     let at_rest = [
         (
-            Mark::Hollow,
+            Mark::SmallRing,
             "c0",
             detection_marks::POINT_AT_REST,
             frame.points.iter().any(|p| p.stationary == Some(true)),
         ),
-        (Mark::Box, "c0", "object at rest", frame.objects.iter().any(|o| o.stationary == Some(true))),
+        (
+            Mark::SquareOutline,
+            "c0",
+            "object at rest",
+            frame.objects.iter().any(|o| o.stationary == Some(true)),
+        ),
     ];
     let shown = at_rest
         .into_iter()
@@ -99,16 +104,16 @@ struct View {
 }
 
 /// Point cloud from above, from the side and from the front.
-fn views(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], form: Form) -> Svg {
-    let mut sheet = Svg::new(title(frame), form.width_px(), 0.0);
-    let top = head(&mut sheet, &title(frame), &[]) + 8.0;
-    let views = placed(header, frame, bodies, form, top);
+fn views(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], layout: Layout) -> Svg {
+    let mut sheet = Svg::new(title(frame), layout.width_px(), 0.0);
+    let top = draw_title(&mut sheet, &title(frame), &[]) + 8.0;
+    let views = placed(header, frame, bodies, layout, top);
     let [across, along] = axis_names(&header.dsp.road);
     let names = [across, along, "height, m"];
     for view in &views {
         let Axes { x, y } = view.axes;
         view.axes.draw(&mut sheet, names[view.coordinates[0]], names[view.coordinates[1]]);
-        sheet.words([x.start_px + 2.0, y.end_px - 6.0], "start", view.name);
+        sheet.text([x.start_px + 2.0, y.end_px - 6.0], "start", view.name);
         if view.coordinates == [0, 1] {
             draw_radar(&mut sheet, header, view);
         }
@@ -122,37 +127,37 @@ fn views(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], form: Form) 
         }
     }
     let bottom = views.iter().map(|view| view.axes.y.start_px).fold(top, f64::max);
-    legend(header, frame, bodies).draw(&mut sheet, bottom + 62.0, [10.0, form.width_px() - 10.0]);
+    legend(header, frame, bodies).draw(&mut sheet, bottom + 62.0, [10.0, layout.width_px() - 10.0]);
     sheet
 }
 
 fn legend(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body]) -> Legend {
     let mut legend = Legend::default();
-    meanings(frame, "object").into_iter().for_each(|(mark, class, words)| legend.say(mark, class, words));
+    meanings(frame, "object").into_iter().for_each(|(mark, class, words)| legend.add(mark, class, words));
     for body in bodies {
         let (mark, what) = if body.corners_m.is_empty() {
             (Mark::Cross, "truth")
         } else {
             (Mark::Outline, "truth, its box")
         };
-        legend.say(mark, body.colour, format!("{} ({what})", body.kind));
+        legend.add(mark, body.colour, format!("{} ({what})", body.kind));
     }
-    legend.say(Mark::Triangle, "radar", "radar");
-    legend.say(Mark::BrokenLine, "radar", "boresight");
-    legend.say(Mark::Line, "radar", field_of_view::words(&header.radar));
+    legend.add(Mark::Triangle, "radar", "radar");
+    legend.add(Mark::DashedLine, "radar", "boresight");
+    legend.add(Mark::Line, "radar", field_of_view::words(&header.radar));
     legend
 }
 
 /// Arranges the views side by side on a page, one below the other on a telephone.
-fn placed(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], form: Form, top: f64) -> [View; 3] {
-    let boxes = match form {
-        Form::Wide => [
+fn placed(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], layout: Layout, top: f64) -> [View; 3] {
+    let boxes = match layout {
+        Layout::Wide => [
             [60.0, top, 320.0, top + 420.0],
             [390.0, top, 744.0, top + 165.0],
             [390.0, top + 255.0, 744.0, top + 420.0],
         ],
-        Form::Narrow => {
-            let [left, right] = form.sides_px();
+        Layout::Narrow => {
+            let [left, right] = layout.sides_px();
             [
                 [left, top, right, top + 380.0],
                 [left, top + 460.0, right, top + 600.0],
@@ -184,12 +189,12 @@ fn on_road(header: &CubeHeader, position_m: [f64; 3]) -> [f64; 3] {
 fn pixel(header: &CubeHeader, view: &View, position_m: [f64; 3]) -> [f64; 2] {
     let at_m = on_road(header, position_m);
     let [i, j] = view.coordinates;
-    [view.axes.x.at(at_m[i]), view.axes.y.at(at_m[j])]
+    [view.axes.x.to_px(at_m[i]), view.axes.y.to_px(at_m[j])]
 }
 
 fn put(sheet: &mut Svg, header: &CubeHeader, view: &View, mark: Mark, colour: &str, position_m: [f64; 3]) {
     let at = pixel(header, view, position_m);
-    if view.axes.x.holds(at[0]) && view.axes.y.holds(at[1]) {
+    if view.axes.x.contains_px(at[0]) && view.axes.y.contains_px(at[1]) {
         mark.draw(sheet, colour, at);
     }
 }
@@ -208,7 +213,7 @@ fn draw_radar(sheet: &mut Svg, header: &CubeHeader, view: &View) {
     let [x_m, y_m, _] = radar.position_m;
     let ends = [[x_m, y_m], field_of_view::ahead_m(radar, radar.waveform.range_max_m())].map(ground);
     if let Some(line) = clip::segment(ends, frame) {
-        sheet.broken("radar", 1.4, &line);
+        sheet.dashed_polyline("radar", 1.4, &line);
     }
     put(sheet, header, view, Mark::Triangle, "radar", radar.position_m);
 }
@@ -226,7 +231,7 @@ fn draw_body(sheet: &mut Svg, header: &CubeHeader, view: &View, body: &Body) {
     };
     let outline = if view.coordinates[1] == 2 { bounds(&pixels) } else { pixels };
     let frame = [view.axes.x.start_px, view.axes.y.end_px, view.axes.x.end_px, view.axes.y.start_px];
-    sheet.outline(body.colour, &clip::polygon(&outline, frame));
+    sheet.translucent_polygon(body.colour, &clip::polygon(&outline, frame));
 }
 
 /// Corners of the bounding rectangle of some pixels.

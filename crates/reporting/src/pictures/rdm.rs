@@ -7,13 +7,13 @@ use artifact::rdm::RdmFrame;
 use ndarray::Array2;
 use pipeline::host::failure::Failure;
 use plotting::axes::{Axes, Axis};
-use plotting::form::Form;
-use plotting::heat_map::{head, heat_png, scale_bar};
+use plotting::heat_map::{draw_title, heat_png, scale_bar};
 use plotting::labels::Labels;
+use plotting::layout::Layout;
 use plotting::lines::{Line, LinePlot, Scale};
 use plotting::marks::{Legend, Mark};
 use plotting::svg::Svg;
-use radar::doppler_ambiguity::shown_mps;
+use radar::doppler_ambiguity::apparent_velocity_mps;
 
 /// Largest range of decibels shown below the brightest cell, and below the noise.
 const SPAN_DB: f64 = 60.0;
@@ -29,17 +29,17 @@ pub(super) struct TrueEcho {
 
 /// Points, objects and truth drawn over a map; nothing if they are unknown.
 #[derive(Debug, Clone, Default)]
-pub(super) struct OnMap<'a> {
+pub(super) struct MapOverlay<'a> {
     pub(super) points: Option<&'a PointsFrame>,
     /// Indices of objects that belong to no body.
-    pub(super) nobodys: Option<&'a [usize]>,
+    pub(super) false_objects: Option<&'a [usize]>,
     pub(super) truth: &'a [TrueEcho],
 }
 
-impl OnMap<'_> {
+impl MapOverlay<'_> {
     fn owner(&self, object: usize) -> Owner {
-        match self.nobodys {
-            Some(nobodys) if nobodys.contains(&object) => Owner::Nobody,
+        match self.false_objects {
+            Some(false_objects) if false_objects.contains(&object) => Owner::Nobody,
             Some(_) => Owner::Body,
             None => Owner::Unknown,
         }
@@ -47,49 +47,58 @@ impl OnMap<'_> {
 }
 
 /// Draws a map with axes in metres and m/s, objects and truth; receding is at the top.
-pub(super) fn draw(header: &CubeHeader, rdm: &RdmFrame, over: &OnMap, form: Form) -> Result<Svg, Failure> {
+pub(super) fn draw(
+    header: &CubeHeader,
+    rdm: &RdmFrame,
+    over: &MapOverlay,
+    layout: Layout,
+) -> Result<Svg, Failure> {
     let map = decibels(header, rdm)?;
     let levels = levels(&map);
     let title = format!("Range-Doppler map, frame {}, all channels", rdm.index);
-    let mut sheet = Svg::new(title.clone(), form.width_px(), 0.0);
+    let mut sheet = Svg::new(title.clone(), layout.width_px(), 0.0);
     let velocity_max = header.radar.velocity_max_mps();
     let note = format!("Velocity is positive when the range grows; unambiguous to ±{velocity_max:.2} m/s.");
-    let top = head(&mut sheet, &title, &[note]);
-    let axes = axes(header, form, top);
+    let top = draw_title(&mut sheet, &title, &[note]);
+    let axes = axes(header, layout, top);
     let (corner, size) = ([axes.x.start_px, top], [axes.x.end_px - axes.x.start_px, axes.y.start_px - top]);
     sheet.image(corner, size, &heat_png(&map, levels).map_err(Failure::refused)?);
     axes.draw(&mut sheet, "range, m", "radial velocity, m/s");
     scale_bar(&mut sheet, &axes, levels, header.unit.level_unit());
     let legend = marks(&mut sheet, header, &axes, over);
-    legend.draw(&mut sheet, axes.y.start_px + 62.0, [10.0, form.width_px() - 8.0]);
+    legend.draw(&mut sheet, axes.y.start_px + 62.0, [10.0, layout.width_px() - 8.0]);
     Ok(sheet)
 }
 
-fn marks(sheet: &mut Svg, header: &CubeHeader, axes: &Axes, over: &OnMap) -> Legend {
+fn marks(sheet: &mut Svg, header: &CubeHeader, axes: &Axes, over: &MapOverlay) -> Legend {
     let mut legend = Legend::default();
     let frame = [axes.x.start_px, axes.y.end_px, axes.x.end_px, axes.y.start_px];
     let mut bodies = Labels::within(frame);
     let at = |range_m: f64, velocity_mps: f64| {
-        [axes.x.at(range_m), axes.y.at(shown_mps(&header.radar, velocity_mps))]
+        [axes.x.to_px(range_m), axes.y.to_px(apparent_velocity_mps(&header.radar, velocity_mps))]
     };
     for echo in over.truth {
         let at = at(echo.range_m, echo.radial_velocity_mps);
-        if axes.x.holds(at[0]) {
+        if axes.x.contains_px(at[0]) {
             shaded(sheet, Mark::Cross, "truthmap", at);
-            bodies.put([at[0] - 8.0, at[1] - 8.0, at[0] + 8.0, at[1] + 8.0], &echo.name);
-            legend.say_of(&[Mark::Plate, Mark::Cross], "truthmap", "echo of a body (truth), velocity folded");
+            bodies.place([at[0] - 8.0, at[1] - 8.0, at[0] + 8.0, at[1] + 8.0], &echo.name);
+            legend.add_stacked(
+                &[Mark::Backdrop, Mark::Cross],
+                "truthmap",
+                "echo of a body (truth), velocity folded",
+            );
         }
     }
-    let mut objects = bodies.beside();
+    let mut objects = bodies.next_layer();
     for (number, object) in over.points.iter().flat_map(|points| points.objects.iter().enumerate()) {
         let at = at(object.range_m, object.radial_velocity_mps);
         let owner = over.owner(number);
         let mark = detection_marks::of_object(object, owner);
         shaded(sheet, mark, "onmap", at);
-        if mark == Mark::BrokenRing {
-            objects.put([at[0] - 9.0, at[1] - 9.0, at[0] + 9.0, at[1] + 9.0], &format!("#{number}"));
+        if mark == Mark::DashedRing {
+            objects.place([at[0] - 9.0, at[1] - 9.0, at[0] + 9.0, at[1] + 9.0], &format!("#{number}"));
         }
-        legend.say_of(&[Mark::Plate, mark], "onmap", detection_marks::words(mark, owner));
+        legend.add_stacked(&[Mark::Backdrop, mark], "onmap", detection_marks::words(mark, owner));
     }
     bodies.draw_on_map(sheet, "truthmap");
     objects.draw_on_map(sheet, "onmap");
@@ -103,7 +112,7 @@ fn shaded(sheet: &mut Svg, mark: Mark, colour: &str, at: [f64; 2]) {
 }
 
 /// Draws the strongest cell over Doppler at each range.
-pub(super) fn range_profile(header: &CubeHeader, rdm: &RdmFrame, form: Form) -> Result<Svg, Failure> {
+pub(super) fn range_profile(header: &CubeHeader, rdm: &RdmFrame, layout: Layout) -> Result<Svg, Failure> {
     let map = decibels(header, rdm)?;
     let strongest =
         |column: ndarray::ArrayView1<f64>| column.iter().copied().fold(f64::NEG_INFINITY, f64::max);
@@ -119,11 +128,11 @@ pub(super) fn range_profile(header: &CubeHeader, rdm: &RdmFrame, form: Form) -> 
         lines: vec![Line {
             name: "strongest cell over all velocities".into(),
             points,
-            marked: false,
-            words: vec![],
+            has_markers: false,
+            tooltips: vec![],
         }],
     };
-    Ok(plot.draw(form))
+    Ok(plot.draw(layout))
 }
 
 fn decibels(header: &CubeHeader, rdm: &RdmFrame) -> Result<Array2<f64>, Failure> {
@@ -132,10 +141,10 @@ fn decibels(header: &CubeHeader, rdm: &RdmFrame) -> Result<Array2<f64>, Failure>
     Ok(dsp::power_map(header, rdm).map_err(Failure::refused)?.mapv(level_db))
 }
 
-fn axes(header: &CubeHeader, form: Form, top: f64) -> Axes {
+fn axes(header: &CubeHeader, layout: Layout, top: f64) -> Axes {
     let (ranges, velocities) = (dsp::range_axis_m(header), dsp::velocity_axis_mps(header));
-    let [left, right] = form.map_sides_px();
-    let height = if form == Form::Wide { 400.0 } else { 320.0 };
+    let [left, right] = layout.map_sides_px();
+    let height = if layout == Layout::Wide { 400.0 } else { 320.0 };
     let (from, to) = ends(&ranges, header.radar.waveform.range_resolution_m());
     let x = Axis { from, to, start_px: left, end_px: right };
     let (from, to) = ends(&velocities, header.radar.velocity_resolution_mps());

@@ -1,9 +1,9 @@
 //! Pictures and names of artifacts for a run's report.
 
 use crate::pictures::FrameFigures;
-use crate::pictures::radar_view::Seen;
-use crate::report::viewer::Viewed;
-use plotting::form::Figure;
+use crate::pictures::radar_frame::RadarFrame;
+use crate::report::viewer::ViewerData;
+use plotting::layout::Figure;
 
 /// Pictures for the report.
 #[derive(Default)]
@@ -15,7 +15,7 @@ pub struct Figures {
     /// Number and view from above of every n-th frame of a long scene.
     pub strip: Vec<(u32, Figure)>,
     /// Points and scenes of the first frames, for comparison with other radars.
-    pub seen: Vec<Seen>,
+    pub radar_frames: Vec<RadarFrame>,
     /// Numbers of the interactive view.
-    pub viewed: Viewed,
+    pub viewer: ViewerData,
 }

@@ -6,27 +6,27 @@ use crate::report::echo_errors;
 use crate::report::false_objects;
 use crate::report::figures::Figures;
 use crate::report::plan;
-use crate::report::provenance_paragraph::{Making, PICTURES, made};
+use crate::report::provenance_paragraph::{PICTURES, ReportOrigin, origin_paragraph};
 use crate::report::tables;
 use crate::report::tracks;
 use crate::report::viewer;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use pipeline::host::safe_text;
 use pipeline::outcome::summary::{Agreement, FrameSummary, Metrics, Summary};
-use plotting::form::Figure;
+use plotting::layout::Figure;
 
 const STYLE: &str = include_str!("style.css");
 
 /// The whole page.
-pub(super) fn page(summary: &Summary, figures: &Figures, making: &Making) -> String {
+pub(super) fn page(summary: &Summary, figures: &Figures, origin: &ReportOrigin) -> String {
     let (frames, metrics) = (&summary.frames[..], &summary.metrics);
     let written: Vec<&str> = figures.artifacts.iter().copied().chain(["summary.json", PICTURES]).collect();
     sheet(
         &summary.scene,
         html! {
             p.lead { (lead(frames, metrics)) }
-            (made(making, &written))
-            (viewer::section(&figures.viewed, summary))
+            (origin_paragraph(origin, &written))
+            (viewer::section(&figures.viewer, summary))
             (tables::radar(&summary.radar, frames))
             @if let Some(told) = &summary.plan { (plan::section(told)) }
             @if frames.len() > 1 { (tracks::section(metrics)) }
@@ -68,7 +68,7 @@ pub fn sheet(name: &str, content: Markup) -> String {
                 meta name="viewport" content="width=device-width, initial-scale=1";
                 meta name="generator" content=(GENERATOR);
                 title { "Wayside: " (name) }
-                style { (PreEscaped(STYLE)) (PreEscaped(plotting::svg::style())) (PreEscaped(viewer::STYLE)) }
+                style { (PreEscaped(STYLE)) (PreEscaped(plotting::svg::stylesheet())) (PreEscaped(viewer::STYLE)) }
             }
             body {
                 h1 { (name) }

@@ -20,21 +20,21 @@ pub(super) const PICTURES: &str = "pictures/";
 
 /// Command and program that made a report.
 #[derive(Debug, Clone)]
-pub struct Making {
+pub struct ReportOrigin {
     /// The command, as a shell reads it back.
     pub command: String,
     /// The program that reads artifacts, as typed.
     pub program: String,
 }
 
-impl Making {
+impl ReportOrigin {
     /// Describes a program that was called with these words.
     pub fn by(program: &str, words: impl Iterator<Item = String>) -> Self {
         Self { command: command(program, words), program: program.to_owned() }
     }
 }
 
-impl Default for Making {
+impl Default for ReportOrigin {
     fn default() -> Self {
         Self { command: "wayside::run".into(), program: "wayside".into() }
     }
@@ -42,18 +42,18 @@ impl Default for Making {
 
 /// The command and links to the files that it wrote: an earlier command may have left others in the same
 /// folder.
-pub(super) fn made(making: &Making, written: &[&str]) -> Markup {
+pub(super) fn origin_paragraph(origin: &ReportOrigin, written: &[&str]) -> Markup {
     let files: Vec<_> = FILES.iter().filter(|(name, _)| written.contains(name)).collect();
     html! {
         p.made {
-            "Made by " code { (making.command) } ". "
+            "Made by " code { (origin.command) } ". "
             "Files beside this page: "
             @for (number, (name, what)) in files.iter().enumerate() {
                 @if number > 0 { ", " }
                 a href=(name) { (name) } " (" (what) ")"
             }
-            ". Read artifacts with " code { (making.program) " inspect" }
-            " and " code { (making.program) " export" } "."
+            ". Read artifacts with " code { (origin.program) " inspect" }
+            " and " code { (origin.program) " export" } "."
         }
     }
 }
@@ -74,7 +74,8 @@ mod tests {
 
     #[test]
     fn a_page_links_to_what_the_command_wrote() {
-        let page = made(&Making::default(), &["frames.paths", "summary.json", PICTURES]).into_string();
+        let page = origin_paragraph(&ReportOrigin::default(), &["frames.paths", "summary.json", PICTURES])
+            .into_string();
         assert_eq!(page.matches("href").count(), 3, "{page}");
         assert!(page.contains("href=\"frames.paths\"") && !page.contains("frames.rcs"), "{page}");
     }

@@ -3,12 +3,12 @@
 use crate::report::accuracy;
 use crate::report::false_objects;
 use crate::report::page::{figure, sheet};
-use crate::report::provenance_paragraph::{Making, PICTURES, made};
+use crate::report::provenance_paragraph::{PICTURES, ReportOrigin, origin_paragraph};
 use crate::report::tables::{rounded, scrolled};
 use artifact::settings::Class;
 use maud::{Markup, html};
-use pipeline::outcome::summary::{CommonFrame, FrameSummary, OneOfRadars, RadarsSummary, Summary};
-use plotting::form::Figure;
+use pipeline::outcome::summary::{CommonFrame, FrameSummary, RadarEntry, RadarsSummary, Summary};
+use plotting::layout::Figure;
 
 /// Number of frames with lists of targets: a page with more opens slowly.
 const FRAMES_TOLD: usize = 24;
@@ -18,7 +18,7 @@ pub(super) fn page(
     summary: &RadarsSummary,
     own: &[(&str, &Summary)],
     views: &[Figure],
-    making: &Making,
+    origin: &ReportOrigin,
 ) -> String {
     let frames = &summary.frames;
     let written: Vec<&str> =
@@ -27,7 +27,7 @@ pub(super) fn page(
         &summary.scene,
         html! {
             p.lead { (lead(frames)) }
-            (made(making, &written))
+            (origin_paragraph(origin, &written))
             (radars(&summary.radars))
             (accuracies(&summary.radars))
             @for (number, view) in views.iter().enumerate() {
@@ -36,7 +36,7 @@ pub(super) fn page(
             }
             @for (number, frame) in frames.iter().take(FRAMES_TOLD).enumerate() {
                 (targets(number, frame))
-                (nobodys(number, summary, own))
+                (false_object_sections(number, summary, own))
             }
             footer { "Each radar's noise is its own, drawn from the scene's seed and its name." }
         },
@@ -51,7 +51,7 @@ fn lead(frames: &[CommonFrame]) -> String {
     format!("{some} of {all} targets found by some radar in {over}, {several} by two or more.")
 }
 
-fn radars(radars: &[OneOfRadars]) -> Markup {
+fn radars(radars: &[RadarEntry]) -> Markup {
     let table = html! { table {
         thead { tr {
             th { "radar" } th { "found" } th { "missed" } th { "false objects" } th { "points" }
@@ -75,8 +75,8 @@ fn radars(radars: &[OneOfRadars]) -> Markup {
 }
 
 /// Accuracy of each radar, in its frame of the largest error.
-fn accuracies(radars: &[OneOfRadars]) -> Markup {
-    let of = |radar: &OneOfRadars| match radar.frames {
+fn accuracies(radars: &[RadarEntry]) -> Markup {
+    let of = |radar: &RadarEntry| match radar.frames {
         1 => format!(" of {}", radar.id),
         frames => format!(" of {}, in the worst of its {frames} frames", radar.id),
     };
@@ -91,7 +91,7 @@ fn accuracies(radars: &[OneOfRadars]) -> Markup {
 }
 
 /// Objects of a common frame that belong to no body, by radar and sub-frame, with their causes.
-fn nobodys(number: usize, summary: &RadarsSummary, own: &[(&str, &Summary)]) -> Markup {
+fn false_object_sections(number: usize, summary: &RadarsSummary, own: &[(&str, &Summary)]) -> Markup {
     let of = |id: &str, frame: &FrameSummary, frames: usize| match frames {
         1 => format!(" of {id}"),
         _ => format!(" of {id} at {} s", rounded(frame.time_s, 5)),
@@ -137,7 +137,7 @@ mod tests {
     fn a_radars_row_has_a_cell_under_every_heading() {
         let (found, missed, false_ones, points, largest_error_db) = (1, 2, 3, 11, Some(-13.4));
         let radar =
-            OneOfRadars { found, missed, false_ones, points, largest_error_db, ..OneOfRadars::default() };
+            RadarEntry { found, missed, false_ones, points, largest_error_db, ..RadarEntry::default() };
         let table = radars(&[radar]).into_string();
         assert_eq!(table.matches("<td").count(), table.matches("<th>").count(), "{table}");
         assert!(table.contains("<td class=\"bad\">2</td><td>3</td><td>11</td>"), "{table}");
@@ -147,8 +147,8 @@ mod tests {
     fn every_radar_says_which_accuracy_it_reached_or_that_this_is_not_known() {
         let told = AccuracyVerdict { reached_db: Some(-3.6), met: Some(false), ..AccuracyVerdict::default() };
         let north =
-            OneOfRadars { id: "north".into(), frames: 2, accuracy: Some(told), ..OneOfRadars::default() };
-        let east = OneOfRadars { id: "east".into(), frames: 2, ..OneOfRadars::default() };
+            RadarEntry { id: "north".into(), frames: 2, accuracy: Some(told), ..RadarEntry::default() };
+        let east = RadarEntry { id: "east".into(), frames: 2, ..RadarEntry::default() };
         let text = accuracies(&[north, east]).into_string();
         assert!(text.contains("reached of north, in the worst of its 2 frames</h3>"), "{text}");
         assert!(text.contains("−3.6 dB") && text.contains("The numerical error of east was not"), "{text}");

@@ -10,7 +10,7 @@ use artifact::scene::Mesh;
 use artifact::units::db_from_power;
 use bart_rcs::Contribution;
 use maud::{Markup, html};
-use plotting::form::Figure;
+use plotting::layout::Figure;
 use serde::Serialize;
 
 /// A table's body, with its scattering at one aspect.
@@ -101,10 +101,10 @@ impl RcsView<'_> {
     }
 
     fn numbers(&self) -> RcsPage {
-        let place = Placing::of(self.mesh);
+        let transform = PageTransform::of(self.mesh);
         let powers = powers_of_facets(self.mesh, self.parts);
         let shown = shown(&powers);
-        let corners: Vec<f64> = self.mesh.vertices_m.iter().flat_map(|v| place.of_m(*v)).collect();
+        let corners: Vec<f64> = self.mesh.vertices_m.iter().flat_map(|v| transform.of_m(*v)).collect();
         let triangles: Vec<u32> = shown.iter().flat_map(|t| self.mesh.triangles[*t as usize]).collect();
         let levels: Vec<u8> = shown.iter().map(|t| level(powers[*t as usize], self.strongest())).collect();
         let all: f64 = self.parts.iter().map(|part| part.amplitude_m.norm_sqr()).sum();
@@ -113,10 +113,10 @@ impl RcsView<'_> {
             triangles: Packed::numbers(&triangles),
             numbers: Packed::numbers(&shown),
             levels: Packed::bytes(&levels),
-            bounds: place.bounds(),
+            bounds: transform.bounds(),
             direction: self.direction,
             azimuth_deg: self.azimuth_deg,
-            rays: self.rays(&place),
+            rays: self.rays(&transform),
             strongest_dbsm: db_from_power(self.strongest()),
             all_power: all / self.strongest(),
             all_sequences: self.parts.len(),
@@ -127,9 +127,9 @@ impl RcsView<'_> {
         }
     }
 
-    fn rays(&self, place: &Placing) -> Rays {
+    fn rays(&self, transform: &PageTransform) -> Rays {
         let parts = &self.parts[..self.parts.len().min(SEQUENCES)];
-        let ways: Vec<Vec<[f64; 3]>> = parts.iter().map(|part| self.way(place, part)).collect();
+        let ways: Vec<Vec<[f64; 3]>> = parts.iter().map(|part| self.way(transform, part)).collect();
         let bytes = |of: fn(&Contribution) -> usize| {
             Packed::bytes(&parts.iter().map(|part| of(part).min(255) as u8).collect::<Vec<_>>())
         };
@@ -150,9 +150,9 @@ impl RcsView<'_> {
     }
 
     /// Course of the ray: from the radar's side over the touched points and out to the receiver's.
-    fn way(&self, place: &Placing, part: &Contribution) -> Vec<[f64; 3]> {
+    fn way(&self, transform: &PageTransform, part: &Contribution) -> Vec<[f64; 3]> {
         let points: Vec<[f64; 3]> =
-            part.points_m.iter().take(250).map(|p| place.of_m(p.to_array())).collect();
+            part.points_m.iter().take(250).map(|p| transform.of_m(p.to_array())).collect();
         let out = |from: &[f64; 3], along: [f64; 3]| [0, 1, 2].map(|i| from[i] + LEG * along[i]);
         match (points.first(), points.last()) {
             (Some(first), Some(last)) => {
@@ -164,14 +164,14 @@ impl RcsView<'_> {
     }
 }
 
-/// Places of the body in the page's units.
-struct Placing {
+/// Transform of places of the body to the units of the page.
+struct PageTransform {
     low_m: [f64; 3],
     high_m: [f64; 3],
     scale: f64,
 }
 
-impl Placing {
+impl PageTransform {
     fn of(mesh: &Mesh) -> Self {
         let [low_m, high_m] = mesh.bounds_m();
         let extent_m = mesh.size_m().into_iter().fold(0.0, f64::max);
@@ -333,8 +333,8 @@ mod tests {
 
     #[test]
     fn a_body_of_any_size_is_ten_units_long_about_the_middle() {
-        let place = Placing::of(&plate());
-        assert_eq!(place.bounds(), [[0.0, -5.0, -2.5], [0.0, 5.0, 2.5]]);
+        let transform = PageTransform::of(&plate());
+        assert_eq!(transform.bounds(), [[0.0, -5.0, -2.5], [0.0, 5.0, 2.5]]);
     }
 
     fn view<'a>(mesh: &'a Mesh, parts: &'a [Contribution]) -> RcsView<'a> {
@@ -348,14 +348,17 @@ mod tests {
             azimuth_deg: 0.0,
             level_dbsm: 6.0,
             cut: vec![[0.0, f64::NEG_INFINITY]],
-            drawings: vec![("Its caption.".into(), Figure::of(|form| Svg::new("cut", form.width_px(), 9.0)))],
+            drawings: vec![(
+                "Its caption.".into(),
+                Figure::draw(|layout| Svg::new("cut", layout.width_px(), 9.0)),
+            )],
         }
     }
 
     #[test]
     fn a_ray_comes_from_the_radar_and_goes_to_the_receiver() {
         let (mesh, parts) = (plate(), [part(0, 1.0)]);
-        let way = view(&mesh, &parts).way(&Placing::of(&mesh), &parts[0]);
+        let way = view(&mesh, &parts).way(&PageTransform::of(&mesh), &parts[0]);
         assert_eq!(way, [[LEG, 0.0, 0.0], [0.0; 3], [0.0, 0.0, LEG]]);
     }
 

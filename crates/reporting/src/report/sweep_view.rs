@@ -3,7 +3,7 @@
 
 use crate::report::viewer::body_view::BodyView;
 use crate::report::viewer::page_script::{json, scripts};
-use crate::report::viewer::surroundings::{MeshShelf, RadarView, Surroundings};
+use crate::report::viewer::surroundings::{MeshTable, RadarView, Surroundings};
 use artifact::envelope::fingerprint;
 use artifact::radar::Radar;
 use artifact::scene::SceneHeader;
@@ -84,7 +84,7 @@ pub struct Situation {
 struct SweepPage<'a> {
     #[serde(flatten)]
     view: &'a SweepView,
-    radars: Vec<StandingRadar>,
+    radars: Vec<SharedRadar>,
     designs: Vec<PageDesign<'a>>,
     situations: Vec<PageSituation<'a>>,
     surroundings: Surroundings,
@@ -92,7 +92,7 @@ struct SweepPage<'a> {
 
 /// A radar of one design or of several.
 #[derive(PartialEq, Serialize)]
-struct StandingRadar {
+struct SharedRadar {
     #[serde(flatten)]
     view: RadarView,
     stands: String,
@@ -208,16 +208,16 @@ impl SweepView {
     fn page(&self) -> Option<SweepPage<'_>> {
         let first = self.situations.first()?;
         let (situations, meshes) = self.bodies();
-        let (designs, radars) = self.standing();
+        let (designs, radars) = self.shared_radars();
         let surroundings = Surroundings::with_meshes(&first.header, meshes);
         Some(SweepPage { view: self, radars, designs, situations, surroundings })
     }
 
     /// Designs and the radars that they share.
-    fn standing(&self) -> (Vec<PageDesign<'_>>, Vec<StandingRadar>) {
-        let mut radars: Vec<StandingRadar> = vec![];
+    fn shared_radars(&self) -> (Vec<PageDesign<'_>>, Vec<SharedRadar>) {
+        let mut radars: Vec<SharedRadar> = vec![];
         let mut index = |design: &Design| {
-            let radar = StandingRadar::of(&design.radar);
+            let radar = SharedRadar::of(&design.radar);
             radars.iter().position(|known| *known == radar).unwrap_or_else(|| {
                 radars.push(radar);
                 radars.len() - 1
@@ -228,8 +228,8 @@ impl SweepView {
     }
 
     /// Bodies of each situation, and their meshes, each once.
-    fn bodies(&self) -> (Vec<PageSituation<'_>>, MeshShelf) {
-        let (mut shelf, mut places) = (MeshShelf::default(), BTreeMap::new());
+    fn bodies(&self) -> (Vec<PageSituation<'_>>, MeshTable) {
+        let (mut shelf, mut places) = (MeshTable::default(), BTreeMap::new());
         let situations = self.situations.iter().map(|Situation { words, header }| {
             let mut place = |mesh| *places.entry(fingerprint(mesh)).or_insert_with(|| shelf.put(mesh));
             let of_header: Vec<u32> = header.meshes.iter().map(&mut place).collect();
@@ -249,7 +249,7 @@ fn bodies(header: &SceneHeader, meshes: &[u32]) -> Vec<BodyView> {
     view.targets.iter().zip(&frame.poses).map(body).collect()
 }
 
-impl StandingRadar {
+impl SharedRadar {
     fn of(radar: &Radar) -> Self {
         let [x, y, z] = radar.position_m.map(|m| format!("{m:.2}").replace('-', "−"));
         let [azimuth, elevation] = [radar.boresight_az_rad, radar.boresight_el_rad]

@@ -13,4 +13,4 @@ mod viewed_frame; // all of one frame
 mod section; // the part of the page
 
 pub(crate) use section::{STYLE, section};
-pub(crate) use viewed_frame::Viewed;
+pub(crate) use viewed_frame::ViewerData;

@@ -1,7 +1,7 @@
 //! Changes to a scene's values before it is read, by which a study tries other values than the file's.
 
+use crate::document::diagnostics::{Diagnostics, NOWHERE};
 use crate::document::errors::{Place, Rule};
-use crate::document::faults::{Faults, NOWHERE};
 use crate::document::toml_text::{self, DEPTH_LIMIT, TooDeep};
 use crate::wording::excerpt::excerpt;
 use std::borrow::Cow;
@@ -19,12 +19,12 @@ pub struct Change {
     pub value: String,
 }
 
-/// Makes changes in their order; each takes the position of the value that it replaces, else that of its
+/// Applies changes in their order; each takes the position of the value that it replaces, else that of its
 /// table, else none. Notes changes for which there is no place.
-pub(crate) fn make<'d>(document: &mut DeTable<'d>, changes: &'d [Change], faults: &Faults<'_>) {
+pub(crate) fn apply<'d>(document: &mut DeTable<'d>, changes: &'d [Change], diagnostics: &Diagnostics<'_>) {
     for change in changes {
-        if let Err((byte, obstacle)) = make_one(document, change) {
-            faults.note(byte, Place::Scene, Rule::Change { key: excerpt(&change.key), obstacle });
+        if let Err((byte, obstacle)) = apply_one(document, change) {
+            diagnostics.note(byte, Place::Scene, Rule::Change { key: excerpt(&change.key), obstacle });
         }
     }
 }
@@ -32,7 +32,7 @@ pub(crate) fn make<'d>(document: &mut DeTable<'d>, changes: &'d [Change], faults
 /// Byte of the file, and the reason why the change has no place there.
 type Obstacle = (usize, String);
 
-fn make_one<'d>(document: &mut DeTable<'d>, change: &'d Change) -> Result<(), Obstacle> {
+fn apply_one<'d>(document: &mut DeTable<'d>, change: &'d Change) -> Result<(), Obstacle> {
     let value = DeValue::parse(&change.value).map_err(|error| (NOWHERE, error.message().to_owned()))?;
     toml_text::check_value(&value).map_err(|too_deep| (NOWHERE, too_deep.to_string()))?;
     let keys: Vec<&'d str> = change.key.split('.').collect();

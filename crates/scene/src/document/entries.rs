@@ -2,10 +2,10 @@
 
 use crate::document::errors::Place;
 use crate::document::keys::materials::{LAYER, LAYERS, LAYERS_OF_ONE, MATERIAL};
-use crate::document::keys::scene::OF_MATERIALS;
+use crate::document::keys::scene::MATERIALS_KEY;
 use crate::document::keys::traffic::{MODEL, MODEL_OF_TYPE, MODELS};
-use crate::document::section::{PlacedValue, Section};
-use crate::document::values::Reads;
+use crate::document::section::{Section, SpannedValue};
+use crate::document::values::ReadableKind;
 use toml::Spanned;
 use toml::de::{DeString, DeTable};
 
@@ -21,10 +21,10 @@ pub(crate) struct ModelChoice<'d> {
 
 /// The tables in a table whose keys are names of materials.
 pub(crate) fn materials<'d>(root: &Section<'d>) -> Vec<(&'d str, Section<'d>)> {
-    let Some(table) = named(root, OF_MATERIALS.name, "a table of materials") else { return vec![] };
-    let material = |(name, value): (&'d Spanned<DeString<'d>>, &'d PlacedValue<'d>)| {
+    let Some(table) = named(root, MATERIALS_KEY.name, "a table of materials") else { return vec![] };
+    let material = |(name, value): (&'d Spanned<DeString<'d>>, &'d SpannedValue<'d>)| {
         let name: &'d str = name.get_ref().as_ref();
-        let section = root.below(&MATERIAL, Place::Material(name.to_owned()), value);
+        let section = root.subtable(&MATERIAL, Place::Material(name.to_owned()), value);
         if !section.exists() {
             section.wrong_type(
                 "material",
@@ -42,7 +42,7 @@ pub(crate) fn model_choices<'d>(traffic: &Section<'d>) -> Vec<ModelChoice<'d>> {
     let Some(table) = named(traffic, MODELS.name, "a table such as { car = \"car-suv\" }") else {
         return vec![];
     };
-    let choice = |(kind, value): (&'d Spanned<DeString<'d>>, &'d PlacedValue<'d>)| {
+    let choice = |(kind, value): (&'d Spanned<DeString<'d>>, &'d SpannedValue<'d>)| {
         model_choice(traffic, kind.get_ref().as_ref(), value)
     };
     table.iter().filter_map(choice).collect()
@@ -51,9 +51,9 @@ pub(crate) fn model_choices<'d>(traffic: &Section<'d>) -> Vec<ModelChoice<'d>> {
 fn model_choice<'d>(
     traffic: &Section<'d>,
     kind: &'d str,
-    value: &'d PlacedValue<'d>,
+    value: &'d SpannedValue<'d>,
 ) -> Option<ModelChoice<'d>> {
-    let section = traffic.below(&MODEL_OF_TYPE, Place::Table(MODEL_OF_TYPE.name), value);
+    let section = traffic.subtable(&MODEL_OF_TYPE, Place::Table(MODEL_OF_TYPE.name), value);
     let names = if section.exists() {
         section.require(MODEL.name);
         section.read(&MODEL)?
@@ -65,12 +65,12 @@ fn model_choice<'d>(
 
 /// The tables of a list of layers, with the place of the material.
 pub(crate) fn layers<'d>(material: &Section<'d>) -> Option<Vec<Section<'d>>> {
-    let layer = |value: &'d PlacedValue<'d>| {
+    let layer = |value: &'d SpannedValue<'d>| {
         if value.get_ref().as_table().is_none() {
             material.wrong_type(LAYERS.name, "a list of tables", value);
             return None;
         }
-        Some(material.below(&LAYER, material.place().clone(), value))
+        Some(material.subtable(&LAYER, material.place().clone(), value))
     };
     let layers = material.list(LAYERS.name, material.find(LAYERS.name)?, LAYERS_OF_ONE)?;
     layers.iter().map(layer).collect()

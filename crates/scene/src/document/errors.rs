@@ -7,10 +7,10 @@ use crate::mesh::MeshError;
 use crate::openmaterial::OpenMaterialError;
 use crate::recording::fcd::FcdError;
 use crate::recording::net::NetError;
-use crate::wording::allowed::Allowed;
+use crate::wording::allowed_range::AllowedRange;
 use crate::wording::number::WrittenNumber;
 use artifact::bounded::ReadFault;
-use artifact::sentence::readable;
+use artifact::message::truncated;
 use radar::lattice::TooManyDirections;
 use std::fmt;
 use std::path::PathBuf;
@@ -31,7 +31,7 @@ impl fmt::Display for SceneErrors {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut lines: Vec<String> = self.0.iter().map(SceneError::to_string).collect();
         lines.extend((self.1 > 0).then(|| format!("and {} more", self.1)));
-        f.write_str(&readable(&lines.join("\n")))
+        f.write_str(&truncated(&lines.join("\n")))
     }
 }
 
@@ -200,7 +200,7 @@ pub enum Rule {
         /// Name of the key.
         key: &'static str,
         /// Number of values that the key takes.
-        expected: Allowed,
+        expected: AllowedRange,
         /// Number of values in the file.
         found: usize,
     },
@@ -212,7 +212,7 @@ pub enum Rule {
         /// Number as read.
         found: f64,
         /// Numbers that the key accepts.
-        allowed: Allowed,
+        allowed: AllowedRange,
     },
     /// A whole number of more than 63 bits.
     #[error("`{key}` must be a whole number up to {}", i64::MAX)]
@@ -281,7 +281,7 @@ pub enum Rule {
         /// Frequency of the last sample, GHz.
         end_ghz: f64,
         /// Frequencies at which the sweep may end, GHz.
-        allowed: Allowed,
+        allowed: AllowedRange,
     },
     /// A phase rotation from chirp to chirp is not equivalent to a velocity if the chirp intervals vary.
     #[error("`stagger_us` and the multiplexing `{multiplexing}` exclude one another")]

@@ -47,6 +47,6 @@ pub const TABLES: &[Table] = &[
 ];
 
 /// The heading of one of these tables, other than `here`, that knows `key`.
-pub(crate) fn home_of(tables: &'static [Table], key: &str, here: &Table) -> Option<&'static str> {
+pub(crate) fn table_with_key(tables: &'static [Table], key: &str, here: &Table) -> Option<&'static str> {
     tables.iter().find(|table| table.name != here.name && table.has(key)).map(|table| table.heading)
 }

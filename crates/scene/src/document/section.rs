@@ -1,12 +1,12 @@
 //! A scene file as tables with positions; broken rules are noted and reading continues.
 
+use crate::document::diagnostics::{Diagnostics, UnknownKeys};
 use crate::document::errors::{Place, Rule};
-use crate::document::faults::{Faults, FurtherKeys};
 use crate::document::keys;
 use crate::document::keys::key::Table;
 use crate::document::synonyms;
-use crate::wording::allowed::Allowed;
-use crate::wording::likeness::{nearest, nearest_from};
+use crate::wording::allowed_range::AllowedRange;
+use crate::wording::similarity::{nearest, nearest_from};
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -18,16 +18,16 @@ pub struct Section<'d> {
     known: &'static Table,
     place: Place,
     start: usize,
-    faults: &'d Faults<'d>,
+    diagnostics: &'d Diagnostics<'d>,
 }
 
 /// A value of the file, and where it stands.
-pub type PlacedValue<'d> = Spanned<DeValue<'d>>;
+pub type SpannedValue<'d> = Spanned<DeValue<'d>>;
 
 impl<'d> Section<'d> {
     /// The file itself. Unknown keys are noted at once, here and in every section opened from it.
-    pub fn root(table: &'d DeTable<'d>, known: &'static Table, faults: &'d Faults<'d>) -> Self {
-        Self { table: Some(table), known, place: Place::Scene, start: 0, faults }.checked()
+    pub fn root(table: &'d DeTable<'d>, known: &'static Table, diagnostics: &'d Diagnostics<'d>) -> Self {
+        Self { table: Some(table), known, place: Place::Scene, start: 0, diagnostics }.checked()
     }
 
     /// The table of that name below this one.
@@ -41,7 +41,8 @@ impl<'d> Section<'d> {
             }
         });
         let start = found.map_or(self.start, |value| value.span().start);
-        Section { table, known, place: Place::Table(known.name), start, faults: self.faults }.checked()
+        Section { table, known, place: Place::Table(known.name), start, diagnostics: self.diagnostics }
+            .checked()
     }
 
     /// Opens the tables of an array of tables, each named by its `id` or its number.
@@ -57,14 +58,14 @@ impl<'d> Section<'d> {
     }
 
     /// Opens a table below this one.
-    pub(crate) fn below(
+    pub(crate) fn subtable(
         &self,
         known: &'static Table,
         place: Place,
-        value: &'d PlacedValue<'d>,
+        value: &'d SpannedValue<'d>,
     ) -> Section<'d> {
         let table = value.get_ref().as_table();
-        Section { table, known, place, start: value.span().start, faults: self.faults }.checked()
+        Section { table, known, place, start: value.span().start, diagnostics: self.diagnostics }.checked()
     }
 
     /// Place named in errors about this table.
@@ -76,7 +77,7 @@ impl<'d> Section<'d> {
         &self,
         known: &'static Table,
         index: usize,
-        element: &'d PlacedValue<'d>,
+        element: &'d SpannedValue<'d>,
     ) -> Option<Section<'d>> {
         let DeValue::Table(table) = element.get_ref() else {
             self.wrong_type(key_of(known), "an array of tables", element);
@@ -92,14 +93,14 @@ impl<'d> Section<'d> {
             "radars" => Place::Radar(name),
             other => Place::Table(other),
         };
-        Some(self.below(known, place, element))
+        Some(self.subtable(known, place, element))
     }
 
     fn checked(self) -> Self {
         for (key, _) in self.table.into_iter().flat_map(|table| table.iter()) {
             let found = key.get_ref().as_ref();
             if !self.known.has(found)
-                && let Some(rule) = self.stray(found)
+                && let Some(rule) = self.unexpected_key(found)
             {
                 self.note_at(key.span(), rule);
             }
@@ -108,14 +109,14 @@ impl<'d> Section<'d> {
     }
 
     /// Rule that a key breaks which the table does not have.
-    fn stray(&self, found: &str) -> Option<Rule> {
-        match self.faults.further_keys() {
-            FurtherKeys::Refused => Some(unknown_key(found, self.known, self.faults.tables())),
-            FurtherKeys::Allowed => {
+    fn unexpected_key(&self, found: &str) -> Option<Rule> {
+        match self.diagnostics.unknown_keys() {
+            UnknownKeys::Refused => Some(unknown_key(found, self.known, self.diagnostics.tables())),
+            UnknownKeys::Allowed => {
                 let absent: Vec<&'static str> =
                     self.known.names().filter(|key| self.find(key).is_none()).collect();
-                let meant = synonyms::meant(found, self.known).filter(|key| absent.contains(key));
-                let nearest = meant.or_else(|| nearest_from(LEAST_LIKENESS, found, &absent))?;
+                let meant = synonyms::synonym_in_table(found, self.known).filter(|key| absent.contains(key));
+                let nearest = meant.or_else(|| nearest_from(LEAST_SIMILARITY, found, &absent))?;
                 Some(Rule::UnknownKey { found: found.to_owned(), nearest: Some(nearest), home: None })
             }
         }
@@ -133,13 +134,13 @@ impl<'d> Section<'d> {
 
     /// Line of the table's heading.
     pub(crate) fn line(&self) -> u32 {
-        self.faults.line(self.start)
+        self.diagnostics.line(self.start)
     }
 
     /// Note a broken rule at the value of `key`, or at the table's heading where the key is absent.
     pub fn note(&self, key: &'static str, rule: Rule) {
         let byte = self.find(key).map_or(self.start, |value| value.span().start);
-        self.faults.note(byte, self.place.clone(), rule);
+        self.diagnostics.note(byte, self.place.clone(), rule);
     }
 
     /// Note a broken rule at an element of the list that `key` holds, by its number from 0; at a value that
@@ -163,9 +164,9 @@ impl<'d> Section<'d> {
     pub(crate) fn list(
         &self,
         key: &'static str,
-        value: &'d PlacedValue<'d>,
-        length: Allowed,
-    ) -> Option<&'d [PlacedValue<'d>]> {
+        value: &'d SpannedValue<'d>,
+        length: AllowedRange,
+    ) -> Option<&'d [SpannedValue<'d>]> {
         let DeValue::Array(array) = value.get_ref() else {
             self.wrong_type(key, "a list", value);
             return None;
@@ -178,18 +179,18 @@ impl<'d> Section<'d> {
     }
 
     /// Notes that a value has another type than `expected`.
-    pub(crate) fn wrong_type(&self, key: &'static str, expected: &'static str, value: &PlacedValue<'_>) {
+    pub(crate) fn wrong_type(&self, key: &'static str, expected: &'static str, value: &SpannedValue<'_>) {
         let found = type_of(value.get_ref());
         self.note_at(value.span(), Rule::WrongType { key, expected, found });
     }
 
     /// Notes a broken rule at a position.
     pub(crate) fn note_at(&self, span: Range<usize>, rule: Rule) {
-        self.faults.note(span.start, self.place.clone(), rule);
+        self.diagnostics.note(span.start, self.place.clone(), rule);
     }
 
     /// The value of a key.
-    pub(crate) fn find(&self, key: &str) -> Option<&'d PlacedValue<'d>> {
+    pub(crate) fn find(&self, key: &str) -> Option<&'d SpannedValue<'d>> {
         self.table.and_then(|table| table.get(key))
     }
 }
@@ -199,21 +200,23 @@ fn key_of(table: &'static Table) -> &'static str {
 }
 
 /// Four letters in five alike are no coincidence; fewer may be, and a different word has none.
-const LEAST_LIKENESS: f64 = 0.85;
+const LEAST_SIMILARITY: f64 = 0.85;
 
 fn unknown_key(found: &str, table: &Table, tables: &'static [Table]) -> Rule {
     let found_here = found.to_owned();
     let here = |nearest| Rule::UnknownKey { found: found_here.clone(), nearest, home: None };
-    if let Some(meant) = synonyms::meant(found, table) {
+    if let Some(meant) = synonyms::synonym_in_table(found, table) {
         return here(Some(meant));
     }
-    if let Some(home) = keys::home_of(tables, found, table) {
+    if let Some(home) = keys::table_with_key(tables, found, table) {
         return Rule::WrongTable { found: found_here, table: home };
     }
     let known: Vec<&str> = table.names().collect();
-    let elsewhere = |key| Some((key, keys::home_of(tables, key, table)?));
-    match (nearest_from(LEAST_LIKENESS, found, &known), synonyms::meant_elsewhere(found).and_then(elsewhere))
-    {
+    let elsewhere = |key| Some((key, keys::table_with_key(tables, key, table)?));
+    match (
+        nearest_from(LEAST_SIMILARITY, found, &known),
+        synonyms::synonym_in_any_table(found).and_then(elsewhere),
+    ) {
         (None, Some((meant, home))) => {
             Rule::UnknownKey { found: found_here, nearest: Some(meant), home: Some(home) }
         }

@@ -93,12 +93,12 @@ const SYNONYMS: [(&str, &[&str]); 86] = [
 ];
 
 /// The key of `table` meant by another program's name.
-pub(crate) fn meant(found: &str, table: &Table) -> Option<&'static str> {
+pub(crate) fn synonym_in_table(found: &str, table: &Table) -> Option<&'static str> {
     candidates(found).find(|key| table.has(key))
 }
 
 /// The key of any table meant by another program's name.
-pub(crate) fn meant_elsewhere(found: &str) -> Option<&'static str> {
+pub(crate) fn synonym_in_any_table(found: &str) -> Option<&'static str> {
     candidates(found).next()
 }
 

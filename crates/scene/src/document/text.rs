@@ -13,6 +13,6 @@ pub(crate) fn read_text(path: &Path) -> Result<String, Rule> {
 }
 
 /// Makes an error from a single rule that concerns no line of the file.
-pub(crate) fn at_no_place(path: &Path, rule: Rule) -> SceneErrors {
+pub(crate) fn without_position(path: &Path, rule: Rule) -> SceneErrors {
     SceneErrors(vec![SceneError { file: path.to_owned(), position: None, place: Place::Scene, rule }], 0)
 }

@@ -1,17 +1,17 @@
 //! Values of a scene's tables, each read according to its key.
 
 use crate::document::errors::Rule;
-use crate::document::keys::key::{Key, Kind, Or, Plain};
+use crate::document::keys::key::{DefaultValue, Defaultable, Key, ValueKind};
 use crate::document::keys::kinds::{
-    Counts, Like, Name, Number, Numbers, Pair, Pairs, PerElement, Text, Texts, Truth, Vector, Whole, Wholes,
-    Words,
+    Boolean, Choice, ChoiceOrPattern, Integer, IntegerVector, Integers, Name, Number, Numbers, Pair, Pairs,
+    PerElement, Text, Texts, Vector,
 };
-use crate::document::section::{PlacedValue, Section};
-use crate::wording::allowed::Allowed;
+use crate::document::section::{Section, SpannedValue};
+use crate::wording::allowed_range::AllowedRange;
 use toml::de::DeValue;
 
 /// A kind of which values are read.
-pub trait Reads<'d>: Kind {
+pub trait ReadableKind<'d>: ValueKind {
     /// Type of the value that is read.
     type Read;
     /// Reads the value of `key`; notes a fault and returns `None` if it is wrong.
@@ -19,20 +19,23 @@ pub trait Reads<'d>: Kind {
         &self,
         section: &Section<'d>,
         key: &'static str,
-        value: &'d PlacedValue<'d>,
+        value: &'d SpannedValue<'d>,
     ) -> Option<Self::Read>;
 }
 
 impl<'d> Section<'d> {
     /// Reads the value of a key; `None` where absent or wrong.
-    pub fn read<K: Reads<'d>, A>(&self, key: &Key<K, A>) -> Option<K::Read> {
+    pub fn read<K: ReadableKind<'d>, A>(&self, key: &Key<K, A>) -> Option<K::Read> {
         key.takes.from(self, key.name, self.find(key.name)?)
     }
 
     /// Reads the value of a key, which is its default where absent or wrong.
-    pub fn or_default<K>(&self, key: &Key<K, Or<<K as Plain>::Value>>) -> <K as Plain>::Value
+    pub fn or_default<K>(
+        &self,
+        key: &Key<K, DefaultValue<<K as Defaultable>::Value>>,
+    ) -> <K as Defaultable>::Value
     where
-        K: Plain + Reads<'d, Read = <K as Plain>::Value>,
+        K: Defaultable + ReadableKind<'d, Read = <K as Defaultable>::Value>,
     {
         self.read(key).unwrap_or(key.absent.0)
     }
@@ -43,7 +46,7 @@ impl<'d> Section<'d> {
         numbers.from(self, key.name, self.find(key.name)?)
     }
 
-    fn number_in(&self, key: &'static str, value: &PlacedValue<'d>, allowed: Allowed) -> Option<f64> {
+    fn number_in(&self, key: &'static str, value: &SpannedValue<'d>, allowed: AllowedRange) -> Option<f64> {
         let Some(number) = number_of(value.get_ref()) else {
             self.wrong_type(key, "a list of numbers", value);
             return None;
@@ -51,7 +54,7 @@ impl<'d> Section<'d> {
         self.in_range(key, number, allowed, value)
     }
 
-    fn integer_in(&self, key: &'static str, value: &PlacedValue<'d>, allowed: Allowed) -> Option<u64> {
+    fn integer_in(&self, key: &'static str, value: &SpannedValue<'d>, allowed: AllowedRange) -> Option<u64> {
         let DeValue::Integer(integer) = value.get_ref() else {
             self.wrong_type(key, "a whole number", value);
             return None;
@@ -72,8 +75,8 @@ impl<'d> Section<'d> {
         &self,
         key: &'static str,
         found: f64,
-        allowed: Allowed,
-        value: &PlacedValue<'d>,
+        allowed: AllowedRange,
+        value: &SpannedValue<'d>,
     ) -> Option<f64> {
         if allowed.holds(found) {
             return Some(found);
@@ -83,10 +86,10 @@ impl<'d> Section<'d> {
     }
 }
 
-impl<'d> Reads<'d> for Number {
+impl<'d> ReadableKind<'d> for Number {
     type Read = f64;
 
-    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d PlacedValue<'d>) -> Option<f64> {
+    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d SpannedValue<'d>) -> Option<f64> {
         let Some(number) = number_of(value.get_ref()) else {
             section.wrong_type(key, "a number", value);
             return None;
@@ -95,18 +98,18 @@ impl<'d> Reads<'d> for Number {
     }
 }
 
-impl<'d> Reads<'d> for Whole {
+impl<'d> ReadableKind<'d> for Integer {
     type Read = u64;
 
-    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d PlacedValue<'d>) -> Option<u64> {
+    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d SpannedValue<'d>) -> Option<u64> {
         section.integer_in(key, value, self.0)
     }
 }
 
-impl<'d> Reads<'d> for Text {
+impl<'d> ReadableKind<'d> for Text {
     type Read = &'d str;
 
-    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d PlacedValue<'d>) -> Option<&'d str> {
+    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d SpannedValue<'d>) -> Option<&'d str> {
         let text = text_of(value);
         if text.is_none() {
             section.wrong_type(key, "a text in quotes", value);
@@ -115,14 +118,14 @@ impl<'d> Reads<'d> for Text {
     }
 }
 
-impl<'d> Reads<'d> for Texts {
+impl<'d> ReadableKind<'d> for Texts {
     type Read = Vec<&'d str>;
 
     fn from(
         &self,
         section: &Section<'d>,
         key: &'static str,
-        value: &'d PlacedValue<'d>,
+        value: &'d SpannedValue<'d>,
     ) -> Option<Vec<&'d str>> {
         match value.get_ref() {
             DeValue::String(text) => Some(vec![text.as_ref()]),
@@ -146,10 +149,10 @@ impl<'d> Reads<'d> for Texts {
     }
 }
 
-impl<'d> Reads<'d> for Truth {
+impl<'d> ReadableKind<'d> for Boolean {
     type Read = bool;
 
-    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d PlacedValue<'d>) -> Option<bool> {
+    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d SpannedValue<'d>) -> Option<bool> {
         if let DeValue::Boolean(truth) = value.get_ref() {
             return Some(*truth);
         }
@@ -158,10 +161,10 @@ impl<'d> Reads<'d> for Truth {
     }
 }
 
-impl<'d> Reads<'d> for Name {
+impl<'d> ReadableKind<'d> for Name {
     type Read = &'d str;
 
-    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d PlacedValue<'d>) -> Option<&'d str> {
+    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d SpannedValue<'d>) -> Option<&'d str> {
         let name = Text("a name").from(section, key, value)?;
         let plain = |c: char| c.is_alphanumeric() || " -_.+()".contains(c);
         let good = (1..=64).contains(&name.chars().count())
@@ -174,18 +177,18 @@ impl<'d> Reads<'d> for Name {
     }
 }
 
-impl<'d, T: Copy + PartialEq> Reads<'d> for Words<T> {
+impl<'d, T: Copy + PartialEq> ReadableKind<'d> for Choice<T> {
     type Read = T;
 
-    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d PlacedValue<'d>) -> Option<T> {
-        Like { words: *self, built: |_| None, others: "", pattern: "" }.from(section, key, value)
+    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d SpannedValue<'d>) -> Option<T> {
+        ChoiceOrPattern { words: *self, built: |_| None, others: "", pattern: "" }.from(section, key, value)
     }
 }
 
-impl<'d, T: Copy + PartialEq> Reads<'d> for Like<T> {
+impl<'d, T: Copy + PartialEq> ReadableKind<'d> for ChoiceOrPattern<T> {
     type Read = T;
 
-    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d PlacedValue<'d>) -> Option<T> {
+    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d SpannedValue<'d>) -> Option<T> {
         let found = Text("a word").from(section, key, value)?;
         let known = (self.words.0)();
         let told = known.iter().find(|(word, _)| *word == found).map(|(_, meaning)| *meaning);
@@ -199,19 +202,29 @@ impl<'d, T: Copy + PartialEq> Reads<'d> for Like<T> {
     }
 }
 
-impl<'d, const N: usize> Reads<'d> for Vector<N> {
+impl<'d, const N: usize> ReadableKind<'d> for Vector<N> {
     type Read = [f64; N];
 
-    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d PlacedValue<'d>) -> Option<[f64; N]> {
+    fn from(
+        &self,
+        section: &Section<'d>,
+        key: &'static str,
+        value: &'d SpannedValue<'d>,
+    ) -> Option<[f64; N]> {
         let numbers = Numbers { length: exactly(N), each: self.0 };
         numbers.from(section, key, value)?.try_into().ok()
     }
 }
 
-impl<'d, const N: usize> Reads<'d> for Counts<N> {
+impl<'d, const N: usize> ReadableKind<'d> for IntegerVector<N> {
     type Read = [u64; N];
 
-    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d PlacedValue<'d>) -> Option<[u64; N]> {
+    fn from(
+        &self,
+        section: &Section<'d>,
+        key: &'static str,
+        value: &'d SpannedValue<'d>,
+    ) -> Option<[u64; N]> {
         let numbers = section.list(key, value, exactly(N))?;
         let numbers: Option<Vec<u64>> =
             numbers.iter().map(|value| section.integer_in(key, value, self.0)).collect();
@@ -219,42 +232,57 @@ impl<'d, const N: usize> Reads<'d> for Counts<N> {
     }
 }
 
-impl<'d> Reads<'d> for Numbers {
+impl<'d> ReadableKind<'d> for Numbers {
     type Read = Vec<f64>;
 
-    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d PlacedValue<'d>) -> Option<Vec<f64>> {
+    fn from(
+        &self,
+        section: &Section<'d>,
+        key: &'static str,
+        value: &'d SpannedValue<'d>,
+    ) -> Option<Vec<f64>> {
         let numbers = section.list(key, value, self.length)?;
         numbers.iter().map(|value| section.number_in(key, value, self.each)).collect()
     }
 }
 
-impl<'d> Reads<'d> for Wholes {
+impl<'d> ReadableKind<'d> for Integers {
     type Read = Vec<u64>;
 
-    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d PlacedValue<'d>) -> Option<Vec<u64>> {
+    fn from(
+        &self,
+        section: &Section<'d>,
+        key: &'static str,
+        value: &'d SpannedValue<'d>,
+    ) -> Option<Vec<u64>> {
         let numbers = section.list(key, value, self.length)?;
         numbers.iter().map(|value| section.integer_in(key, value, self.each)).collect()
     }
 }
 
-impl<'d> Reads<'d> for Pair {
+impl<'d> ReadableKind<'d> for Pair {
     type Read = [f64; 2];
 
-    fn from(&self, section: &Section<'d>, key: &'static str, value: &'d PlacedValue<'d>) -> Option<[f64; 2]> {
+    fn from(
+        &self,
+        section: &Section<'d>,
+        key: &'static str,
+        value: &'d SpannedValue<'d>,
+    ) -> Option<[f64; 2]> {
         Vector(self.any).from(section, key, value)
     }
 }
 
-impl<'d> Reads<'d> for Pairs {
+impl<'d> ReadableKind<'d> for Pairs {
     type Read = Vec<[f64; 2]>;
 
     fn from(
         &self,
         section: &Section<'d>,
         key: &'static str,
-        value: &'d PlacedValue<'d>,
+        value: &'d SpannedValue<'d>,
     ) -> Option<Vec<[f64; 2]>> {
-        let pair = |value: &'d PlacedValue<'d>| {
+        let pair = |value: &'d SpannedValue<'d>| {
             if value.get_ref().as_array().is_none() {
                 section.wrong_type(key, "a list of pairs of numbers", value);
                 return None;
@@ -265,11 +293,11 @@ impl<'d> Reads<'d> for Pairs {
     }
 }
 
-fn exactly(count: usize) -> Allowed {
-    Allowed::Between(count as f64, count as f64)
+fn exactly(count: usize) -> AllowedRange {
+    AllowedRange::Between(count as f64, count as f64)
 }
 
-fn text_of<'d>(value: &'d PlacedValue<'d>) -> Option<&'d str> {
+fn text_of<'d>(value: &'d SpannedValue<'d>) -> Option<&'d str> {
     if let DeValue::String(text) = value.get_ref() { Some(text.as_ref()) } else { None }
 }
 

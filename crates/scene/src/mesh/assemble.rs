@@ -1,10 +1,10 @@
 //! Joins parts into one mesh: triangles without area dropped, size checked, open edges counted, nothing
 //! welded.
 
-use crate::mesh::error::{Located, MeshFault, MeshPlace};
+use crate::mesh::error::{LocatedFault, MeshFault, MeshPlace};
 use crate::mesh::format::MeshOptions;
 use crate::mesh::part::{Part, check_count};
-use artifact::material::Makeup;
+use artifact::material::MeshMaterials;
 use artifact::scene::{Mesh, MeshStatistics};
 use bodies::road_wheels;
 use glam::DVec3;
@@ -15,22 +15,22 @@ use std::rc::Rc;
 /// Sizes of models assumed to be in metres.
 const SIZES_M: std::ops::RangeInclusive<f64> = 1e-3..=1e3;
 
-pub(crate) fn assemble(name: String, parts: Vec<Part>, options: &MeshOptions) -> Result<Mesh, Located> {
+pub(crate) fn assemble(name: String, parts: Vec<Part>, options: &MeshOptions) -> Result<Mesh, LocatedFault> {
     let refuse = |fault| MeshPlace::File.fault(fault);
     let triangles_read: usize = parts.iter().map(|part| part.triangles.len()).sum();
     check_count(triangles_read)?;
-    let mut joined = Joined::default();
+    let mut builder = MeshBuilder::default();
     let any_normals = parts.iter().any(|part| part.normals.is_some());
     for part in parts {
         let part = if any_normals && part.normals.is_none() { part.with_flat_normals() } else { part };
-        joined.append(part, options.unit_scale.unwrap_or(1.0)).map_err(refuse)?;
+        builder.append(part, options.unit_scale.unwrap_or(1.0)).map_err(refuse)?;
     }
-    let degenerate = joined.drop_degenerate();
-    if joined.triangles.is_empty() {
+    let degenerate = builder.drop_degenerate();
+    if builder.triangles.is_empty() {
         return Err(refuse(MeshFault::NoTriangles { degenerate }));
     }
-    joined.drop_unused_vertices();
-    let mut mesh = joined.into_mesh(name);
+    builder.drop_unused_vertices();
+    let mut mesh = builder.into_mesh(name);
     check_size(&mesh, options).map_err(refuse)?;
     mesh.statistics =
         MeshStatistics { triangles_read: triangles_read as u64, degenerate, open_edges: open_edges(&mesh) };
@@ -38,7 +38,7 @@ pub(crate) fn assemble(name: String, parts: Vec<Part>, options: &MeshOptions) ->
 }
 
 #[derive(Default)]
-struct Joined {
+struct MeshBuilder {
     vertices: Vec<DVec3>,
     normals: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
@@ -50,7 +50,7 @@ struct Joined {
     known: HashMap<Rc<str>, u16>,
 }
 
-impl Joined {
+impl MeshBuilder {
     fn append(&mut self, part: Part, scale: f64) -> Result<(), MeshFault> {
         let first = self.vertices.len() as u32;
         let material = self.material(part.material)?;
@@ -125,7 +125,7 @@ impl Joined {
             triangles: self.triangles,
             material_of_triangle: self.material_of_triangle,
             materials: self.materials,
-            makeup: Makeup::default(),
+            makeup: MeshMaterials::default(),
             wheels: vec![],
             statistics: MeshStatistics::default(),
         };

@@ -3,7 +3,7 @@
 use crate::openmaterial::OpenMaterialError;
 use crate::wording::number::WrittenNumber;
 use artifact::bounded::ReadFault;
-use artifact::sentence::readable;
+use artifact::message::truncated;
 use std::fmt;
 use std::path::PathBuf;
 
@@ -50,7 +50,7 @@ impl MeshError {
 
 impl fmt::Display for MeshError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&readable(&self.sentence()))
+        f.write_str(&truncated(&self.sentence()))
     }
 }
 
@@ -328,13 +328,13 @@ pub enum MeshFault {
 
 /// A fault with its place; the caller knows the file.
 #[derive(Debug)]
-pub(crate) struct Located {
+pub(crate) struct LocatedFault {
     pub place: MeshPlace,
     pub fault: MeshFault,
 }
 
 impl MeshPlace {
-    pub(crate) fn fault(self, fault: MeshFault) -> Located {
-        Located { place: self, fault }
+    pub(crate) fn fault(self, fault: MeshFault) -> LocatedFault {
+        LocatedFault { place: self, fault }
     }
 }

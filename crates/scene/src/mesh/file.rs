@@ -1,6 +1,6 @@
 //! Reading of a mesh file into one mesh.
 
-use crate::mesh::error::{Located, MeshError, MeshFault, MeshPlace};
+use crate::mesh::error::{LocatedFault, MeshError, MeshFault, MeshPlace};
 use crate::mesh::format::{Format, LIMIT_BYTES, MeshOptions};
 use crate::mesh::{assemble, gltf_buffers, gltf_document, obj, stl};
 use crate::openmaterial;
@@ -40,7 +40,7 @@ pub fn mesh_from_bytes(
     };
     parts
         .and_then(|parts| assemble::assemble(name, parts, options))
-        .map_err(|Located { place, fault }| MeshError { file: path.to_owned(), place, fault })
+        .map_err(|LocatedFault { place, fault }| MeshError { file: path.to_owned(), place, fault })
 }
 
 /// The mesh of an asset's model, which is a glTF, so that there is no further recursion.

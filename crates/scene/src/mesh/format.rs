@@ -1,6 +1,6 @@
 //! Formats of mesh files, and reading options.
 
-use crate::wording::allowed::Allowed;
+use crate::wording::allowed_range::AllowedRange;
 use std::path::Path;
 
 /// Options for reading a mesh file.
@@ -41,7 +41,7 @@ impl Format {
 }
 
 /// Metres per unit, from a nanometre to a thousand kilometres.
-pub(crate) const UNIT_SCALES: Allowed = Allowed::Between(1e-9, 1e6);
+pub(crate) const UNIT_SCALES: AllowedRange = AllowedRange::Between(1e-9, 1e6);
 
 /// Largest file: the largest vehicles of film studios have some 10⁷ triangles in 10⁹ bytes, for which the
 /// stages would not end.

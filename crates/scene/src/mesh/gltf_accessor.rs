@@ -1,6 +1,6 @@
 //! Accessors of glTF: every view, stride, count and index is checked before a byte is read.
 
-use crate::mesh::error::{Located, MeshFault, MeshPlace};
+use crate::mesh::error::{LocatedFault, MeshFault, MeshPlace};
 use crate::mesh::gltf_buffers::Buffers;
 use crate::mesh::part::{CORNER_LIMIT, check_vectors, too_many_triangles};
 use glam::DVec3;
@@ -46,7 +46,7 @@ impl<'d> Accessors<'d> {
     }
 
     /// Positions or normals.
-    pub(crate) fn vectors(&mut self, user: MeshPlace, index: usize) -> Result<Rc<Vec<DVec3>>, Located> {
+    pub(crate) fn vectors(&mut self, user: MeshPlace, index: usize) -> Result<Rc<Vec<DVec3>>, LocatedFault> {
         if let Some(known) = self.vectors.get(&index) {
             return Ok(known.clone());
         }
@@ -74,7 +74,7 @@ impl<'d> Accessors<'d> {
         sparse: &Sparse,
         encoding: Encoding,
         vectors: &mut [DVec3],
-    ) -> Result<(), Located> {
+    ) -> Result<(), LocatedFault> {
         let (values, count) = (&sparse.values, sparse.count.0);
         let values =
             self.elements(place, values.buffer_view, values.byte_offset.0, count, encoding.vector_bytes())?;
@@ -85,7 +85,7 @@ impl<'d> Accessors<'d> {
     }
 
     /// Corners of triangles.
-    pub(crate) fn indices(&self, user: MeshPlace, index: usize) -> Result<Vec<u32>, Located> {
+    pub(crate) fn indices(&self, user: MeshPlace, index: usize) -> Result<Vec<u32>, LocatedFault> {
         let accessor = self.accessor(user, index)?;
         let place = MeshPlace::Accessor(index);
         let refuse =
@@ -106,7 +106,7 @@ impl<'d> Accessors<'d> {
         Ok(elements.iter().map(decode_index).collect())
     }
 
-    fn accessor(&self, user: MeshPlace, index: usize) -> Result<&'d Accessor, Located> {
+    fn accessor(&self, user: MeshPlace, index: usize) -> Result<&'d Accessor, LocatedFault> {
         let count = self.root.accessors.len();
         self.root
             .accessors
@@ -133,7 +133,7 @@ impl<'d> Accessors<'d> {
         place: MeshPlace,
         accessor: &Accessor,
         size: u64,
-    ) -> Result<Option<Elements<'d>>, Located> {
+    ) -> Result<Option<Elements<'d>>, LocatedFault> {
         let count = accessor.count.0;
         let offset = accessor.byte_offset.unwrap_or_default().0;
         match accessor.buffer_view {
@@ -143,7 +143,12 @@ impl<'d> Accessors<'d> {
         }
     }
 
-    fn sparse_indices(&self, place: MeshPlace, sparse: &Sparse, count: usize) -> Result<Vec<usize>, Located> {
+    fn sparse_indices(
+        &self,
+        place: MeshPlace,
+        sparse: &Sparse,
+        count: usize,
+    ) -> Result<Vec<usize>, LocatedFault> {
         let Checked::Valid(IndexComponentType(component)) = sparse.indices.component_type else {
             return Err(place
                 .fault(MeshFault::AccessorType { expected: "sparse indices of 8, 16 or 32 unsigned bits" }));
@@ -173,7 +178,7 @@ impl<'d> Accessors<'d> {
         offset: u64,
         count: u64,
         size: u64,
-    ) -> Result<Elements<'d>, Located> {
+    ) -> Result<Elements<'d>, LocatedFault> {
         let (bytes, stride) = self.view(place, view.value())?;
         let stride = stride.unwrap_or(size);
         if count == 0 {
@@ -189,7 +194,7 @@ impl<'d> Accessors<'d> {
         Ok(Elements { bytes, stride: stride as usize, size: size as usize, count: count as usize })
     }
 
-    fn view(&self, user: MeshPlace, index: usize) -> Result<(&'d [u8], Option<u64>), Located> {
+    fn view(&self, user: MeshPlace, index: usize) -> Result<(&'d [u8], Option<u64>), LocatedFault> {
         let count = self.root.buffer_views.len();
         let no_such = || user.fault(MeshFault::NoSuch { what: "buffer view", index, count });
         let view = self.root.buffer_views.get(index).ok_or_else(no_such)?;

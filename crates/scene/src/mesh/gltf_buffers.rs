@@ -1,6 +1,6 @@
 //! Buffers of a glTF: the binary chunk, files beside it, or base64 in its JSON.
 
-use crate::mesh::error::{Located, MeshFault, MeshPlace};
+use crate::mesh::error::{LocatedFault, MeshFault, MeshPlace};
 use crate::mesh::format::LIMIT_BYTES;
 use crate::mesh::gltf_json::check_values;
 use crate::wording::reference::{self, ReferenceFault};
@@ -32,7 +32,11 @@ pub(crate) fn split_container(bytes: &[u8]) -> Result<(Vec<u8>, Option<Vec<u8>>)
 }
 
 /// Reads all buffers, each of its declared length.
-pub(crate) fn read_buffers(root: &Root, binary: Option<Vec<u8>>, path: &Path) -> Result<Buffers, Located> {
+pub(crate) fn read_buffers(
+    root: &Root,
+    binary: Option<Vec<u8>>,
+    path: &Path,
+) -> Result<Buffers, LocatedFault> {
     let mut binary = binary;
     let mut left = LIMIT_BYTES;
     let buffers = root.buffers.iter().enumerate();

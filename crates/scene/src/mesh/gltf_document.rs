@@ -1,7 +1,7 @@
 //! Document of glTF 2.0. The `gltf` crate opens the container and types the JSON; every reference in the JSON
 //! is checked here, because the crate's own validation and readers panic on damaged files.
 
-use crate::mesh::error::{Located, MeshFault, MeshPlace};
+use crate::mesh::error::{LocatedFault, MeshFault, MeshPlace};
 use crate::mesh::gltf_accessor::Accessors;
 use crate::mesh::gltf_buffers::{self, read_buffers};
 use crate::mesh::gltf_json::check_values;
@@ -31,17 +31,17 @@ const COMPRESSION: [&str; 3] =
 /// Extensions that a file need not require although they determine the places of bodies.
 const SHAPING: [&str; 2] = ["EXT_mesh_gpu_instancing", "KHR_node_visibility"];
 
-pub(crate) fn read_glb(bytes: &[u8], path: &Path) -> Result<Vec<Part>, Located> {
+pub(crate) fn read_glb(bytes: &[u8], path: &Path) -> Result<Vec<Part>, LocatedFault> {
     let (json, binary) =
         gltf_buffers::split_container(bytes).map_err(|fault| MeshPlace::File.fault(fault))?;
     read_document(&json, binary, path)
 }
 
-pub(crate) fn read_gltf(bytes: &[u8], path: &Path) -> Result<Vec<Part>, Located> {
+pub(crate) fn read_gltf(bytes: &[u8], path: &Path) -> Result<Vec<Part>, LocatedFault> {
     read_document(bytes, None, path)
 }
 
-fn read_document(json: &[u8], binary: Option<Vec<u8>>, path: &Path) -> Result<Vec<Part>, Located> {
+fn read_document(json: &[u8], binary: Option<Vec<u8>>, path: &Path) -> Result<Vec<Part>, LocatedFault> {
     check_values(json).map_err(|fault| MeshPlace::File.fault(fault))?;
     let root: Root =
         deserialize::from_slice(json).map_err(|error| MeshPlace::File.fault(MeshFault::Json(error)))?;
@@ -50,16 +50,16 @@ fn read_document(json: &[u8], binary: Option<Vec<u8>>, path: &Path) -> Result<Ve
         .map_err(|fault| MeshPlace::File.fault(fault))?;
     let buffers = read_buffers(&root, binary, path)?;
     let mut accessors = Accessors::new(&root, &buffers);
-    let mut shown = Shown::default();
+    let mut collector = PartCollector::default();
     for instance in instances(&root)? {
-        read_mesh_instance(&root, &mut accessors, &instance, &mut shown)?;
+        read_mesh_instance(&root, &mut accessors, &instance, &mut collector)?;
     }
-    Ok(shown.parts)
+    Ok(collector.parts)
 }
 
 /// Parts gathered so far.
 #[derive(Default)]
-struct Shown {
+struct PartCollector {
     parts: Vec<Part>,
     triangles: usize,
     primitives: usize,
@@ -93,8 +93,8 @@ fn read_mesh_instance(
     root: &Root,
     accessors: &mut Accessors<'_>,
     instance: &Instance,
-    shown: &mut Shown,
-) -> Result<(), Located> {
+    collector: &mut PartCollector,
+) -> Result<(), LocatedFault> {
     let mesh = &root.meshes[instance.mesh];
     if mesh.weights.iter().flatten().any(|weight| *weight != 0.0) {
         let place = MeshPlace::Primitive { mesh: instance.mesh, primitive: 0 };
@@ -103,16 +103,16 @@ fn read_mesh_instance(
     let is_of_wheel = instance.is_of_wheel || mesh.name.as_deref().is_some_and(names_a_wheel);
     for (primitive, content) in mesh.primitives.iter().enumerate() {
         let place = MeshPlace::Primitive { mesh: instance.mesh, primitive };
-        shown.primitives += 1;
-        if shown.primitives > PRIMITIVE_LIMIT {
+        collector.primitives += 1;
+        if collector.primitives > PRIMITIVE_LIMIT {
             return Err(MeshPlace::File.fault(MeshFault::TooManyPrimitives { limit: PRIMITIVE_LIMIT }));
         }
-        let material = shown.material(root, content).map_err(|fault| place.fault(fault))?;
+        let material = collector.material(root, content).map_err(|fault| place.fault(fault))?;
         let Some(mut part) = read_primitive(accessors, instance, place, content, material)? else { continue };
         part.is_of_wheel |= is_of_wheel;
-        shown.triangles += part.triangles.len();
-        check_count(shown.triangles)?;
-        shown.parts.push(part);
+        collector.triangles += part.triangles.len();
+        check_count(collector.triangles)?;
+        collector.parts.push(part);
     }
     Ok(())
 }
@@ -124,7 +124,7 @@ fn read_primitive(
     place: MeshPlace,
     primitive: &Primitive,
     material: Rc<str>,
-) -> Result<Option<Part>, Located> {
+) -> Result<Option<Part>, LocatedFault> {
     let Checked::Valid(mode) = primitive.mode else { return Err(place.fault(MeshFault::Mode)) };
     if !matches!(mode, Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan) {
         return Ok(None);
@@ -167,7 +167,7 @@ fn triangles(mode: Mode, corners: &[u32]) -> Result<Vec<[u32; 3]>, MeshFault> {
     }
 }
 
-impl Shown {
+impl PartCollector {
     /// Name of a primitive's material, shared by all that have it; empty without one.
     fn material(&mut self, root: &Root, primitive: &Primitive) -> Result<Rc<str>, MeshFault> {
         let Some(index) = primitive.material.map(|material| material.value()) else {

@@ -1,6 +1,6 @@
 //! The nodes of a glTF scene: meshes and their transforms.
 
-use crate::mesh::error::{Located, MeshFault, MeshPlace};
+use crate::mesh::error::{LocatedFault, MeshFault, MeshPlace};
 use bodies::names_a_wheel;
 use glam::{DMat4, DQuat, DVec3, DVec4};
 use gltf::json::Root;
@@ -18,7 +18,7 @@ pub(crate) struct Instance {
 }
 
 /// A node waiting to be visited.
-struct Waiting {
+struct PendingNode {
     index: usize,
     scene_from_parent: DMat4,
     /// Whether an ancestor other than a root has the name of a wheel.
@@ -28,7 +28,7 @@ struct Waiting {
 
 /// Every mesh of the scene that the file shows (else its first; without scenes, all nodes; without nodes,
 /// each mesh untransformed), parents before children, in the order of the file.
-pub(crate) fn instances(root: &Root) -> Result<Vec<Instance>, Located> {
+pub(crate) fn instances(root: &Root) -> Result<Vec<Instance>, LocatedFault> {
     if root.nodes.is_empty() {
         return Ok((0..root.meshes.len())
             .map(|mesh| Instance { mesh, scene_from_mesh: DMat4::IDENTITY, is_of_wheel: false })
@@ -38,14 +38,14 @@ pub(crate) fn instances(root: &Root) -> Result<Vec<Instance>, Located> {
     let mut reached = vec![false; root.nodes.len()];
     // An explicit stack: a chain of 10⁶ nodes must not overflow ours. Reversed, so that the first is popped
     // first.
-    let of_root = |index: usize| Waiting {
+    let of_root = |index: usize| PendingNode {
         index,
         scene_from_parent: DMat4::IDENTITY,
         is_of_wheel: false,
         is_root: true,
     };
-    let mut waiting: Vec<Waiting> = roots(root)?.into_iter().rev().map(of_root).collect();
-    while let Some(Waiting { index, scene_from_parent, is_of_wheel, is_root }) = waiting.pop() {
+    let mut pending: Vec<PendingNode> = roots(root)?.into_iter().rev().map(of_root).collect();
+    while let Some(PendingNode { index, scene_from_parent, is_of_wheel, is_root }) = pending.pop() {
         let place = MeshPlace::Node(index);
         let count = root.nodes.len();
         let no_such = || MeshPlace::File.fault(MeshFault::NoSuch { what: "node", index, count });
@@ -58,7 +58,7 @@ pub(crate) fn instances(root: &Root) -> Result<Vec<Instance>, Located> {
         let names_wheel = node.name.as_deref().is_some_and(names_a_wheel);
         let own = instance(root, place, node, scene_from_node)?;
         found.extend(own.map(|own| Instance { is_of_wheel: is_of_wheel || names_wheel, ..own }));
-        waiting.extend(node.children.iter().flatten().rev().map(|child| Waiting {
+        pending.extend(node.children.iter().flatten().rev().map(|child| PendingNode {
             index: child.value(),
             scene_from_parent: scene_from_node,
             is_of_wheel: is_of_wheel || (names_wheel && !is_root),
@@ -68,7 +68,7 @@ pub(crate) fn instances(root: &Root) -> Result<Vec<Instance>, Located> {
     Ok(found)
 }
 
-fn roots(root: &Root) -> Result<Vec<usize>, Located> {
+fn roots(root: &Root) -> Result<Vec<usize>, LocatedFault> {
     let shown = root.scene.map_or(0, |scene| scene.value());
     if root.scenes.is_empty() && root.scene.is_none() {
         let mut is_child = vec![false; root.nodes.len()];
@@ -87,7 +87,7 @@ fn instance(
     place: MeshPlace,
     node: &Node,
     scene_from_mesh: DMat4,
-) -> Result<Option<Instance>, Located> {
+) -> Result<Option<Instance>, LocatedFault> {
     let Some(mesh) = node.mesh.map(|mesh| mesh.value()) else { return Ok(None) };
     let count = root.meshes.len();
     if mesh >= count {

@@ -1,7 +1,7 @@
 //! Wavefront OBJ: polygons with materials by name, in metres and body axes. Curves, points and lines are
 //! ignored.
 
-use crate::mesh::error::{Located, MeshFault, MeshPlace};
+use crate::mesh::error::{LocatedFault, MeshFault, MeshPlace};
 use crate::mesh::part::{Part, check_count, check_vectors};
 use crate::mesh::polygon::triangulate;
 use crate::wording::excerpt::excerpt;
@@ -47,7 +47,7 @@ enum Normals {
     Absent,
 }
 
-pub(crate) fn read_obj(bytes: &[u8]) -> Result<Vec<Part>, Located> {
+pub(crate) fn read_obj(bytes: &[u8]) -> Result<Vec<Part>, LocatedFault> {
     let text = std::str::from_utf8(bytes).map_err(|_| MeshPlace::File.fault(MeshFault::NotText))?;
     let mut document = Document::default();
     let mut material = Rc::default();
@@ -137,7 +137,7 @@ impl Document {
         Ok((vertex, normal))
     }
 
-    fn into_parts(self) -> Result<Vec<Part>, Located> {
+    fn into_parts(self) -> Result<Vec<Part>, LocatedFault> {
         let Self { vertices, normals, groups, .. } = self;
         let part = |group| into_part(group, &vertices, &normals);
         groups.into_iter().map(part).collect()
@@ -146,7 +146,7 @@ impl Document {
 
 /// Turns a group into a part: corners with the same vertex and normal become one vertex; nothing else is
 /// joined.
-fn into_part(group: Group, vertices: &[DVec3], normals: &[DVec3]) -> Result<Part, Located> {
+fn into_part(group: Group, vertices: &[DVec3], normals: &[DVec3]) -> Result<Part, LocatedFault> {
     let given = group.normals == Normals::Given;
     let key = |(vertex, normal): Corner| (vertex, normal.filter(|_| given));
     let mut numbers: BTreeMap<Corner, u32> =

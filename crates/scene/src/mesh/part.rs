@@ -1,6 +1,6 @@
 //! A part of a mesh: checked triangles of one material with the vertices that they use.
 
-use crate::mesh::error::{Located, MeshFault, MeshPlace};
+use crate::mesh::error::{LocatedFault, MeshFault, MeshPlace};
 use bodies::names_a_wheel;
 use glam::DVec3;
 use std::rc::Rc;
@@ -23,11 +23,11 @@ pub(crate) fn check_vectors(vectors: usize) -> Result<(), MeshFault> {
 
 /// Checks that so many triangles may be read. Also called while parts are gathered: a small glTF can show one
 /// mesh through many nodes.
-pub(crate) fn check_count(triangles: usize) -> Result<(), Located> {
+pub(crate) fn check_count(triangles: usize) -> Result<(), LocatedFault> {
     if triangles <= TRIANGLE_LIMIT { Ok(()) } else { Err(too_many_triangles()) }
 }
 
-pub(crate) fn too_many_triangles() -> Located {
+pub(crate) fn too_many_triangles() -> LocatedFault {
     MeshPlace::File.fault(MeshFault::TooManyTriangles { limit: TRIANGLE_LIMIT })
 }
 
@@ -52,7 +52,7 @@ impl Part {
         normals: Option<&[DVec3]>,
         triangles: Vec<[u32; 3]>,
         material: Rc<str>,
-    ) -> Result<Self, Located> {
+    ) -> Result<Self, LocatedFault> {
         let used = used_vertices(&triangles);
         check_vertices(&used, vertices, normals).map_err(|fault| place.fault(fault))?;
         // Every index is in `used`: the search cannot fail.

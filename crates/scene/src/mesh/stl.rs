@@ -1,7 +1,7 @@
 //! Stereolithography (3D Systems, 1989): binary and text, in metres and body axes. The stored facet normals
 //! repeat the winding and are ignored.
 
-use crate::mesh::error::{Located, MeshFault, MeshPlace};
+use crate::mesh::error::{LocatedFault, MeshFault, MeshPlace};
 use crate::mesh::obj::three_numbers;
 use crate::mesh::part::{Part, check_count};
 use crate::wording::excerpt::excerpt;
@@ -11,7 +11,7 @@ use std::rc::Rc;
 const HEADER_BYTES: usize = 84;
 const FACET_BYTES: usize = 50;
 
-pub(crate) fn read_stl(bytes: &[u8]) -> Result<Vec<Part>, Located> {
+pub(crate) fn read_stl(bytes: &[u8]) -> Result<Vec<Part>, LocatedFault> {
     let corners = if is_text(bytes) { read_text(bytes)? } else { read_binary(bytes)? };
     // Facets first: a vertex that is not finite is reported by its facet.
     if let Some(i) = corners.iter().position(|corner| !corner.is_finite()) {
@@ -35,7 +35,7 @@ fn binary_bytes(bytes: &[u8]) -> u64 {
     HEADER_BYTES as u64 + FACET_BYTES as u64 * u64::from(count)
 }
 
-fn read_binary(bytes: &[u8]) -> Result<Vec<DVec3>, Located> {
+fn read_binary(bytes: &[u8]) -> Result<Vec<DVec3>, LocatedFault> {
     let (found, needed) = (bytes.len() as u64, binary_bytes(bytes));
     if found < needed {
         return Err(MeshPlace::File.fault(MeshFault::CutOff { found, needed }));
@@ -56,7 +56,7 @@ fn vector(bytes: &[u8]) -> DVec3 {
     DVec3::new(number(0), number(4), number(8))
 }
 
-fn read_text(bytes: &[u8]) -> Result<Vec<DVec3>, Located> {
+fn read_text(bytes: &[u8]) -> Result<Vec<DVec3>, LocatedFault> {
     let text = std::str::from_utf8(bytes).map_err(|_| MeshPlace::File.fault(MeshFault::NotText))?;
     let mut corners = vec![];
     let mut is_within = true;

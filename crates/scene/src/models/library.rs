@@ -5,10 +5,10 @@ use crate::document::errors::Rule;
 use crate::document::keys::bodies::{DIAMETER, HEIGHT, LENGTH, MODEL, UNIT_SCALE, VEHICLE_SEED};
 use crate::document::section::Section;
 use crate::mesh::{self, MeshOptions, centred, read_mesh};
-use crate::models::options::{Meshes, ReadOptions};
-use crate::models::street_piece::read_size;
+use crate::models::options::{MeshLoading, ReadOptions};
+use crate::models::street_furniture::read_size;
 use crate::openmaterial::asset_materials;
-use crate::wording::likeness::nearest;
+use crate::wording::similarity::nearest;
 use artifact::material::MaterialMap;
 use artifact::scene::Mesh;
 use artifact::settings::Class;
@@ -22,7 +22,7 @@ enum Model {
     /// One of the project's own vehicles.
     Vehicle { name: &'static str, seed: u64 },
     /// A piece of the project's own street furniture.
-    Street(street::Piece),
+    Street(street::Furniture),
     /// A mesh file, with the requested scale.
     File { path: PathBuf, unit_scale: Option<f64> },
 }
@@ -42,7 +42,7 @@ impl Model {
 pub(crate) struct Models {
     folder: PathBuf,
     options: ReadOptions,
-    beside: Vec<PathBuf>,
+    other_inputs: Vec<PathBuf>,
     /// Recorded traffic, a further input file.
     recording: Option<PathBuf>,
     known: Vec<Model>,
@@ -59,7 +59,7 @@ pub(crate) struct Models {
 const TRIANGLE_LIMIT: usize = 1 << 24;
 
 /// A model as chosen by a target.
-pub(crate) struct Chosen {
+pub(crate) struct ChosenModel {
     /// Name of the own vehicle or piece, or of the file without folders.
     pub name: String,
     /// Index into the scene's meshes.
@@ -75,7 +75,7 @@ impl Models {
         Self {
             folder,
             options,
-            beside: vec![],
+            other_inputs: vec![],
             recording: None,
             known: vec![],
             places: HashMap::new(),
@@ -87,12 +87,12 @@ impl Models {
     }
 
     /// Sets the materials by name at the radar's frequency, before the first model is chosen.
-    pub(crate) fn dress_in(&mut self, materials: &MaterialMap, frequency_hz: f64) {
+    pub(crate) fn set_materials(&mut self, materials: &MaterialMap, frequency_hz: f64) {
         (self.materials, self.frequency_hz) = (materials.clone(), frequency_hz);
     }
 
     /// Chooses the model of a mesh target; faults are noted at its key.
-    pub(crate) fn choose(&mut self, target: &Section<'_>) -> Option<Chosen> {
+    pub(crate) fn choose(&mut self, target: &Section<'_>) -> Option<ChosenModel> {
         if self.options.model.is_none() {
             target.require(MODEL.name);
         }
@@ -101,12 +101,12 @@ impl Models {
     }
 
     /// Chooses the model of that name, with scale and seed from the section; faults are noted there.
-    pub(crate) fn choose_written(&mut self, target: &Section<'_>, written: &str) -> Option<Chosen> {
+    pub(crate) fn choose_written(&mut self, target: &Section<'_>, written: &str) -> Option<ChosenModel> {
         let model = self.named(target, written)?;
         Some(self.chosen(target, model))
     }
 
-    fn chosen(&mut self, target: &Section<'_>, model: Model) -> Chosen {
+    fn chosen(&mut self, target: &Section<'_>, model: Model) -> ChosenModel {
         let name = model.name();
         let said = format!("{model:?}");
         let mesh = match self.places.get(&said) {
@@ -117,7 +117,7 @@ impl Models {
                 index
             }
         };
-        Chosen { class: vehicles::class_of(&name), name, mesh: mesh as u32 }
+        ChosenModel { class: vehicles::class_of(&name), name, mesh: mesh as u32 }
     }
 
     /// A mesh file, in its own size.
@@ -135,7 +135,7 @@ impl Models {
     }
 
     /// Chooses the model of a piece of clutter, which no option replaces; faults are noted at its key.
-    pub(crate) fn choose_clutter(&mut self, clutter: &Section<'_>, written: &str) -> Option<Chosen> {
+    pub(crate) fn choose_clutter(&mut self, clutter: &Section<'_>, written: &str) -> Option<ChosenModel> {
         let model = if street::NAMES.contains(&written) {
             Model::Street(read_size(clutter, written)?)
         } else {
@@ -151,7 +151,7 @@ impl Models {
 
     /// Whether models are opened.
     pub(crate) fn are_opened(&self) -> bool {
-        self.options.meshes == Meshes::Whole
+        self.options.meshes == MeshLoading::Whole
     }
 
     /// The meshes with their materials, returned once.
@@ -165,20 +165,20 @@ impl Models {
     }
 
     /// Adds files that the result depends on.
-    pub(crate) fn depend_on(&mut self, files: impl IntoIterator<Item = PathBuf>) {
-        self.beside.extend(files);
+    pub(crate) fn add_inputs(&mut self, files: impl IntoIterator<Item = PathBuf>) {
+        self.other_inputs.extend(files);
     }
 
     /// Adds a file beside the scene that the result depends on.
-    pub(crate) fn file_beside(&mut self, written: &str) -> PathBuf {
+    pub(crate) fn add_input(&mut self, written: &str) -> PathBuf {
         let path = self.folder.join(written);
-        self.beside.push(path.clone());
+        self.other_inputs.push(path.clone());
         path
     }
 
     /// Adds recorded traffic beside the scene.
-    pub(crate) fn recording_beside(&mut self, written: &str) -> PathBuf {
-        let file = self.file_beside(written);
+    pub(crate) fn add_recording(&mut self, written: &str) -> PathBuf {
+        let file = self.add_input(written);
         self.recording.insert(file).clone()
     }
 
@@ -188,8 +188,8 @@ impl Models {
     }
 
     /// Files that the result depends on, beside the scene, its models and its recording.
-    pub(crate) fn files_beside(&self) -> impl Iterator<Item = &PathBuf> {
-        self.beside.iter().filter(|file| self.recording.as_ref() != Some(*file))
+    pub(crate) fn other_inputs(&self) -> impl Iterator<Item = &PathBuf> {
+        self.other_inputs.iter().filter(|file| self.recording.as_ref() != Some(*file))
     }
 
     /// Every file of the models and their materials.
@@ -198,7 +198,7 @@ impl Models {
             Model::File { path, .. } => Some(path),
             Model::Vehicle { .. } | Model::Street(_) => None,
         });
-        self.beside.iter().cloned().chain(paths.flat_map(|path| mesh::files(path))).collect()
+        self.other_inputs.iter().cloned().chain(paths.flat_map(|path| mesh::files(path))).collect()
     }
 
     /// The model named by the options or else by the target, with its scale and seed.
@@ -213,23 +213,23 @@ impl Models {
 
     fn add(&mut self, target: &Section<'_>, model: Model) -> usize {
         let mesh = match self.options.meshes {
-            Meshes::Whole if self.triangles > TRIANGLE_LIMIT => Mesh::default(), // this was noted already
-            Meshes::Whole => load(target, &model),
-            Meshes::NamesOnly => Mesh { name: model.name(), ..Mesh::default() },
+            MeshLoading::Whole if self.triangles > TRIANGLE_LIMIT => Mesh::default(), // noted already
+            MeshLoading::Whole => load(target, &model),
+            MeshLoading::NamesOnly => Mesh { name: model.name(), ..Mesh::default() },
         };
         let room = TRIANGLE_LIMIT.saturating_sub(self.triangles);
         self.triangles += mesh.triangles.len();
         if mesh.triangles.len() > room {
             target.note(MODEL.name, Rule::TooManyTriangles { limit: TRIANGLE_LIMIT });
         }
-        let mesh = self.dressed(target, &model, mesh);
+        let mesh = self.with_materials(target, &model, mesh);
         self.known.push(model);
         self.meshes.push(mesh);
         self.meshes.len() - 1
     }
 
     /// Adds the scene's materials and those of its asset to the mesh; faults of these are noted.
-    fn dressed(&self, target: &Section<'_>, model: &Model, mesh: Mesh) -> Mesh {
+    fn with_materials(&self, target: &Section<'_>, model: &Model, mesh: Mesh) -> Mesh {
         let of_asset = match model {
             // A mesh that was not read has no materials.
             Model::File { path, .. } if !mesh.materials.is_empty() => {
@@ -239,7 +239,7 @@ impl Models {
             }
             _ => None,
         };
-        let makeup = of_asset.as_ref().unwrap_or(&self.materials).makeup(&mesh.materials);
+        let makeup = of_asset.as_ref().unwrap_or(&self.materials).mesh_materials(&mesh.materials);
         Mesh { makeup, ..mesh }
     }
 }

@@ -11,24 +11,24 @@ pub struct ReadOptions {
     /// Id of the radar with which the scene is read; `None` if it has only one.
     pub radar: Option<String>,
     /// Whether the models are opened.
-    pub meshes: Meshes,
+    pub meshes: MeshLoading,
 }
 
 impl ReadOptions {
     /// The scene as in its file, with whole meshes.
     pub const fn whole() -> Self {
-        Self { model: None, radar: None, meshes: Meshes::Whole }
+        Self { model: None, radar: None, meshes: MeshLoading::Whole }
     }
 
     /// The scene as in its file, its models unopened.
     pub const fn names_only() -> Self {
-        Self { model: None, radar: None, meshes: Meshes::NamesOnly }
+        Self { model: None, radar: None, meshes: MeshLoading::NamesOnly }
     }
 }
 
 /// Extent to which the scene's models are read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Meshes {
+pub enum MeshLoading {
     /// Meshes with their triangles.
     Whole,
     /// Names of the models only, with empty meshes: for callers that need only the radar and the settings.

@@ -1,7 +1,7 @@
 //! An asset (`.xoma`): its model, and the lookup of the model's materials.
 
 use crate::openmaterial::error::{OpenMaterialError, OpenMaterialFault};
-use crate::openmaterial::library::parsed;
+use crate::openmaterial::file_reader::parsed;
 use crate::openmaterial::node::Node;
 use crate::wording::excerpt::excerpt;
 use std::collections::{HashMap, HashSet};

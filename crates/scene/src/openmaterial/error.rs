@@ -1,6 +1,6 @@
 //! Faults of the files of OpenMATERIAL 3D.
 
-use crate::wording::allowed::Allowed;
+use crate::wording::allowed_range::AllowedRange;
 use crate::wording::number::WrittenNumber;
 use artifact::bounded::ReadFault;
 use std::fmt;
@@ -75,7 +75,7 @@ pub enum OpenMaterialFault {
         /// Number in the file.
         found: f64,
         /// Range of the quantity.
-        allowed: Allowed,
+        allowed: AllowedRange,
     },
     /// An unknown version of the standard.
     #[error("is of version `{0}` of OpenMATERIAL 3D; versions 1 are read")]

@@ -1,17 +1,17 @@
 //! Radio properties of a material (`.xomp`).
 
 use crate::openmaterial::error::{OpenMaterialError, OpenMaterialFault};
-use crate::openmaterial::library::Library;
+use crate::openmaterial::file_reader::FileReader;
 use crate::openmaterial::node::Node;
 use crate::openmaterial::table;
-use crate::wording::allowed::Allowed;
+use crate::wording::allowed_range::AllowedRange;
 use artifact::material::Material;
 use num_complex::Complex64;
 use std::path::{Path, PathBuf};
 
 /// A material at a frequency.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct KnownMaterial {
+pub(crate) struct MaterialProperties {
     /// Relative permittivity ε′ − jε″; `None` is a conductor.
     pub(crate) permittivity: Option<Complex64>,
     /// Root mean square of the surface's height, if specified by the file.
@@ -19,9 +19,9 @@ pub(crate) struct KnownMaterial {
 }
 
 /// RMS heights, from a mirror to a boulder.
-const HEIGHTS_M: Allowed = Allowed::Between(0.0, 1e3);
+const HEIGHTS_M: AllowedRange = AllowedRange::Between(0.0, 1e3);
 
-impl KnownMaterial {
+impl MaterialProperties {
     /// A body filled with the material.
     pub(crate) fn filled(self) -> Material {
         self.permittivity.map_or(Material::Conductor, |permittivity| Material::HalfSpace { permittivity })
@@ -32,18 +32,18 @@ impl KnownMaterial {
 pub(crate) fn material_at(
     file: &Path,
     frequency_hz: f64,
-    library: &mut Library,
-) -> Result<KnownMaterial, OpenMaterialError> {
-    let value = library.read(file)?;
+    reader: &mut FileReader,
+) -> Result<MaterialProperties, OpenMaterialError> {
+    let value = reader.read(file)?;
     let properties = Node::root(file, &value).need("materialProperties")?;
     let rms_height_m = rms_height_m(&properties)?;
-    let permittivity = table::read(&named_table(&properties)?, frequency_hz, library)?;
-    Ok(KnownMaterial { permittivity, rms_height_m })
+    let permittivity = table::read(&named_table(&properties)?, frequency_hz, reader)?;
+    Ok(MaterialProperties { permittivity, rms_height_m })
 }
 
 /// The table of electromagnetic properties of a material.
-pub(super) fn table_of(file: &Path, library: &mut Library) -> Result<PathBuf, OpenMaterialError> {
-    let value = library.read(file)?;
+pub(super) fn table_of(file: &Path, reader: &mut FileReader) -> Result<PathBuf, OpenMaterialError> {
+    let value = reader.read(file)?;
     named_table(&Node::root(file, &value).need("materialProperties")?)
 }
 

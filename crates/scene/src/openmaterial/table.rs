@@ -2,9 +2,9 @@
 //! temperature and humidity, evaluated at one frequency.
 
 use crate::openmaterial::error::{OpenMaterialError, OpenMaterialFault};
-use crate::openmaterial::library::Library;
+use crate::openmaterial::file_reader::FileReader;
 use crate::openmaterial::node::Node;
-use crate::wording::allowed::Allowed::{self, Above, Between};
+use crate::wording::allowed_range::AllowedRange::{self, Above, Between};
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use num_complex::Complex64;
 use std::path::Path;
@@ -28,14 +28,14 @@ const METAL_S_PER_M: f64 = 1e6;
 const VACUUM_F_PER_M: f64 = 8.854_187_812_8e-12;
 
 /// Ranges of a row's values, as in the standard except for the wavelength, which it ends at 17 mm.
-const WAVELENGTHS_M: Allowed = Between(1e-9, 1e5);
-const TEMPERATURES_K: Allowed = Between(0.0, 1e5);
-const HUMIDITIES_PERCENT: Allowed = Between(0.0, 100.0);
-const ANY: Allowed = Between(-1e30, 1e30);
-const LOSSES: Allowed = Between(0.0, 1e30);
+const WAVELENGTHS_M: AllowedRange = Between(1e-9, 1e5);
+const TEMPERATURES_K: AllowedRange = Between(0.0, 1e5);
+const HUMIDITIES_PERCENT: AllowedRange = Between(0.0, 100.0);
+const ANY: AllowedRange = Between(-1e30, 1e30);
+const LOSSES: AllowedRange = Between(0.0, 1e30);
 
 /// Ranges of a dielectric, as for `permittivity` in a scene.
-const DIELECTRIC: Allowed = Between(1.0, 1e6);
+const DIELECTRIC: AllowedRange = Between(1.0, 1e6);
 
 /// A row with a permittivity.
 #[derive(Clone, Copy)]
@@ -52,9 +52,9 @@ struct Row {
 pub(super) fn read(
     file: &Path,
     frequency_hz: f64,
-    library: &mut Library,
+    reader: &mut FileReader,
 ) -> Result<Option<Complex64>, OpenMaterialError> {
-    let value = library.read(file)?;
+    let value = reader.read(file)?;
     let table = Node::root(file, &value).need("electromagneticProperties")?;
     let mut rows = vec![];
     for row in table.list()? {
@@ -88,7 +88,11 @@ fn read_row(row: &Node<'_>) -> Result<Option<Row>, OpenMaterialError> {
     }))
 }
 
-fn within(cell: &Node<'_>, what: &'static str, allowed: Allowed) -> Result<Option<f64>, OpenMaterialError> {
+fn within(
+    cell: &Node<'_>,
+    what: &'static str,
+    allowed: AllowedRange,
+) -> Result<Option<f64>, OpenMaterialError> {
     match cell.number_or_null()? {
         Some(found) if !allowed.holds(found) => {
             Err(cell.error(OpenMaterialFault::OutOfRange { what, found, allowed }))

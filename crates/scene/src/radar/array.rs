@@ -66,6 +66,6 @@ fn owner(form: PatternForm) -> &'static str {
 }
 
 fn read_table(section: &Section<'_>, models: &mut Models) -> Option<PatternTable> {
-    let file = models.file_beside(section.read(&PATTERN_FILE)?);
+    let file = models.add_input(section.read(&PATTERN_FILE)?);
     read_pattern_table(&file).map_err(|error| section.note(PATTERN_FILE.name, Rule::Pattern(error))).ok()
 }

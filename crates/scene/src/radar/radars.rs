@@ -1,13 +1,13 @@
 //! `[[radars]]`: several radars in one scene. Each inherits from `[radar]` and specifies its differences; a
 //! scene is read for one of them.
 
+use crate::document::diagnostics::Diagnostics;
 use crate::document::errors::{Rule, SceneErrors};
-use crate::document::faults::Faults;
 use crate::document::ids::read_ids;
 use crate::document::keys::radar::{ID, RADARS};
-use crate::document::keys::scene::{NAME, OF_RADAR, OF_RADARS};
+use crate::document::keys::scene::{NAME, RADAR_KEY, RADARS_KEY};
 use crate::document::section::Section;
-use crate::document::text::{at_no_place, read_text};
+use crate::document::text::{read_text, without_position};
 use std::borrow::Cow;
 use std::path::Path;
 use toml::Spanned;
@@ -19,14 +19,14 @@ use toml::de::{DeTable, DeValue};
 /// # Errors
 /// The file cannot be read, or is not text.
 pub fn radars(path: &Path) -> Result<Vec<String>, SceneErrors> {
-    let text = read_text(path).map_err(|rule| at_no_place(path, rule))?;
-    let document = Faults::new(path, &text).document();
+    let text = read_text(path).map_err(|rule| without_position(path, rule))?;
+    let document = Diagnostics::new(path, &text).document();
     Ok(entries(&document).filter_map(|(_, entry)| id_of(entry)).map(str::to_owned).collect())
 }
 
 /// The document for one of its radars: `[radar]` overridden, table by table, by the entry with that `id`;
 /// unchanged without such an entry.
-pub(crate) fn through<'a, 'd>(document: &'a DeTable<'d>, id: Option<&str>) -> Cow<'a, DeTable<'d>> {
+pub(crate) fn select_radar<'a, 'd>(document: &'a DeTable<'d>, id: Option<&str>) -> Cow<'a, DeTable<'d>> {
     let Some((value, entry)) = entries(document).find(|(_, entry)| id.is_some() && id_of(entry) == id) else {
         return Cow::Borrowed(document);
     };
@@ -34,7 +34,7 @@ pub(crate) fn through<'a, 'd>(document: &'a DeTable<'d>, id: Option<&str>) -> Co
     own.remove(ID.name);
     let mut merged = document.clone();
     let none_yet = || Spanned::new(value.span(), DeValue::Table(DeTable::new()));
-    let radar = merged.entry(Spanned::new(value.span(), OF_RADAR.name.into())).or_insert_with(none_yet);
+    let radar = merged.entry(Spanned::new(value.span(), RADAR_KEY.name.into())).or_insert_with(none_yet);
     if let DeValue::Table(radar) = radar.get_mut() {
         merge(radar, own);
     }
@@ -49,9 +49,9 @@ pub(crate) fn read_name(root: &Section<'_>, asked: Option<&str>) -> String {
     let sections = root.sections(&RADARS);
     let known: Vec<String> = read_ids(&sections).into_iter().flatten().map(str::to_owned).collect();
     match asked {
-        None if !sections.is_empty() => root.note(OF_RADARS.name, Rule::WhichRadar { known }),
+        None if !sections.is_empty() => root.note(RADARS_KEY.name, Rule::WhichRadar { known }),
         Some(asked) if !known.iter().any(|id| id == asked) => {
-            root.note(OF_RADARS.name, Rule::UnknownRadar { found: asked.to_owned(), known });
+            root.note(RADARS_KEY.name, Rule::UnknownRadar { found: asked.to_owned(), known });
         }
         _ => {}
     }
@@ -61,7 +61,7 @@ pub(crate) fn read_name(root: &Section<'_>, asked: Option<&str>) -> String {
 fn entries<'a, 'd>(
     document: &'a DeTable<'d>,
 ) -> impl Iterator<Item = (&'a Spanned<DeValue<'d>>, &'a DeTable<'d>)> {
-    let array = document.get(OF_RADARS.name).and_then(|value| value.get_ref().as_array());
+    let array = document.get(RADARS_KEY.name).and_then(|value| value.get_ref().as_array());
     array.into_iter().flatten().filter_map(|value| Some((value, value.get_ref().as_table()?)))
 }
 

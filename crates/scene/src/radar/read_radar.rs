@@ -6,7 +6,7 @@ use crate::document::keys::radar::{
     ANTENNA_GAIN, BORESIGHT_AZ, BORESIGHT_EL, LINK, POSITION, TRANSMIT_POWER,
 };
 use crate::document::keys::receiver::{RECEIVER, SAMPLING};
-use crate::document::keys::scene::{FRAME_INTERVAL, FRAMES, OF_TRAFFIC};
+use crate::document::keys::scene::{FRAME_INTERVAL, FRAMES, TRAFFIC_KEY};
 use crate::document::keys::waveform::{SAMPLES, STAGGER, WAVEFORM};
 use crate::document::section::Section;
 use crate::models::library::Models;
@@ -71,7 +71,7 @@ pub(crate) fn read_frames(root: &Section<'_>, radar: &Radar) -> (u32, f64) {
     let interval_s = root.or_default(&FRAME_INTERVAL);
     let duration_s = radar.cycle_duration_s();
     // A recording has as many frames as fit into it.
-    let are_several = frames > 1 || (root.has(OF_TRAFFIC.name) && !root.has(FRAMES.name));
+    let are_several = frames > 1 || (root.has(TRAFFIC_KEY.name) && !root.has(FRAMES.name));
     if are_several && interval_s < duration_s {
         root.note(FRAME_INTERVAL.name, Rule::FramesOverlap { interval_s, duration_s });
     }

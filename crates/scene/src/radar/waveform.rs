@@ -5,11 +5,11 @@ use crate::document::keys::waveform::{
     CHIRPS, IDLE, SAMPLE_RATE, SAMPLES, SLOPE, STAGGER, START_FREQUENCY, SUB_FRAME_IDLE,
 };
 use crate::document::section::Section;
-use crate::wording::allowed::Allowed;
+use crate::wording::allowed_range::AllowedRange;
 use artifact::radar::{Sampling, Schedule, Waveform};
 
 /// Frequencies at which any radar's sweep ends; beyond them lies thermal radiation.
-const SWEEP_ENDS_GHZ: Allowed = Allowed::Between(0.1, 2000.0);
+const SWEEP_ENDS_GHZ: AllowedRange = AllowedRange::Between(0.1, 2000.0);
 
 /// Reads the chirps of a frame and their start times.
 pub(crate) fn read_waveform(section: &Section<'_>, sampling: Sampling) -> (Waveform, Schedule) {

@@ -7,7 +7,7 @@
 //! vehicles (`<person>`, `<container>`), for which there are no models.
 
 use crate::recording::step_order::{Disorder, StepOrder};
-use crate::recording::xml::{self, Element, XmlFault, XmlText};
+use crate::recording::xml::{self, Element, XmlFault, XmlReader};
 use crate::wording::excerpt::excerpt;
 use glam::DVec3;
 use quick_xml::events::BytesStart;
@@ -49,35 +49,35 @@ pub struct FcdVehicle {
     /// Heading clockwise from +y, as on a compass: the attribute `angle`.
     pub angle_deg: f64,
     /// Velocity as far as it is recorded: the attribute `speed`.
-    pub velocity: ToldVelocity,
+    pub velocity: RecordedVelocity,
     /// Line of the file, from 1.
     pub line: u64,
 }
 
 /// Recorded velocity of a vehicle.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum ToldVelocity {
+pub enum RecordedVelocity {
     /// Speed along the heading, as in SUMO.
-    Ahead {
+    AlongHeading {
         /// Speed.
         speed_mps: f64,
     },
     /// The whole vector, as in OSI.
-    Whole {
+    Vector {
         /// Velocity along world x, y and z.
         velocity_mps: [f64; 3],
     },
     /// No velocity, which OSI allows.
-    Nothing,
+    Unknown,
 }
 
-impl ToldVelocity {
+impl RecordedVelocity {
     /// Speed, 0 if no velocity is recorded.
     pub fn speed_mps(self) -> f64 {
         match self {
-            Self::Ahead { speed_mps } => speed_mps,
-            Self::Whole { velocity_mps } => DVec3::from(velocity_mps).length(),
-            Self::Nothing => 0.0,
+            Self::AlongHeading { speed_mps } => speed_mps,
+            Self::Vector { velocity_mps } => DVec3::from(velocity_mps).length(),
+            Self::Unknown => 0.0,
         }
     }
 }
@@ -345,7 +345,7 @@ const NAME_LIMIT_BYTES: usize = 256;
 /// Steps of a recording, in order; [`FcdReader::next_step`] returns one after the other.
 pub struct FcdReader {
     file: PathBuf,
-    text: XmlText,
+    text: XmlReader,
     order: StepOrder,
     place: FcdPlace,
 }
@@ -363,7 +363,7 @@ impl FcdReader {
     pub fn open(file: &Path) -> Result<Self, FcdError> {
         let place = RecordingPlace::Line(1);
         let error = |rule| FcdError { file: file.to_owned(), place, rule: Box::new(rule) };
-        let text = XmlText::open(file).map_err(|fault| error(FcdRule::Text(fault)))?;
+        let text = XmlReader::open(file).map_err(|fault| error(FcdRule::Text(fault)))?;
         Ok(Self { file: file.to_owned(), text, order: StepOrder::default(), place: FcdPlace::Before })
     }
 
@@ -472,7 +472,7 @@ fn vehicle(tag: &BytesStart<'_>, line: u64) -> Result<FcdVehicle, FcdRule> {
         kind: attributes.name("type")?.to_owned(),
         front_m: [coordinate("x")?, coordinate("y")?, z],
         angle_deg: attributes.number("angle", "degrees within ±3600", |a| a.abs() <= 3600.0)?,
-        velocity: ToldVelocity::Ahead {
+        velocity: RecordedVelocity::AlongHeading {
             speed_mps: attributes
                 .number("speed", "m/s from 0 to 340", |v| (0.0..=SPEED_LIMIT_MPS).contains(&v))?,
         },

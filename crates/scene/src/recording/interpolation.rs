@@ -18,7 +18,7 @@
 //! - a vehicle that would have to be faster than [`TELEPORT_MPS`], or to jump further sideways than
 //!   [`TELEPORT_ASIDE_M`], was moved by the simulation: it does not exist between the two steps.
 
-use crate::recording::fcd::{FcdStep, FcdVehicle, ToldVelocity};
+use crate::recording::fcd::{FcdStep, FcdVehicle, RecordedVelocity};
 use artifact::scene::Pose;
 use glam::{DVec2, DVec3};
 use radar::doppler_ambiguity::folded;
@@ -38,9 +38,9 @@ pub const SIDEWAYS_JUMP_M: f64 = 1.2;
 /// Largest lateral jump of a lane change: one lane and a half.
 pub const TELEPORT_ASIDE_M: f64 = 6.0;
 
-/// Largest number of slides at once: jumps of [`SIDEWAYS_JUMP_M`] at [`TELEPORT_MPS`] with the usual steps of
-/// 0.1 s are at most 40 in that time.
-const SLIDES_AT_ONCE: usize = 64;
+/// Largest number of lane changes at once: jumps of [`SIDEWAYS_JUMP_M`] at [`TELEPORT_MPS`] with the usual
+/// steps of 0.1 s are at most 40 in that time.
+const CONCURRENT_LANE_CHANGES: usize = 64;
 
 /// Rounding error of a displacement: four coordinates of 5 mm, and the speed's 5 mm/s over a second.
 pub const ROUNDING_M: f64 = 0.025;
@@ -66,10 +66,10 @@ pub struct Bumper {
 
 impl Bumper {
     /// Bumper of a vehicle as recorded with one step.
-    fn as_told(vehicle: &FcdVehicle) -> Self {
+    fn as_recorded(vehicle: &FcdVehicle) -> Self {
         let yaw_rad = yaw_rad(vehicle.angle_deg);
         let velocity_mps = match vehicle.velocity {
-            ToldVelocity::Whole { velocity_mps } => velocity_mps.into(),
+            RecordedVelocity::Vector { velocity_mps } => velocity_mps.into(),
             told => heading(yaw_rad).extend(0.0) * told.speed_mps(),
         };
         Self { front_m: vehicle.front_m.into(), velocity_mps, yaw_rad, yaw_radps: 0.0 }
@@ -106,17 +106,17 @@ pub struct Interval {
     after: FcdStep,
     /// Index in `before` by id.
     known: HashMap<String, usize>,
-    slides: HashMap<String, Vec<Slide>>,
+    lane_changes: HashMap<String, Vec<LaneChange>>,
 }
 
 /// A lane change under way.
 #[derive(Clone, Copy)]
-struct Slide {
+struct LaneChange {
     start_s: f64,
     jump_m: DVec2,
 }
 
-impl Slide {
+impl LaneChange {
     /// Remaining part of the jump, and its rate.
     fn rest(&self, time_s: f64) -> (DVec2, DVec2) {
         let s = ((time_s - self.start_s) / LANE_CHANGE_S).clamp(0.0, 1.0);
@@ -130,20 +130,20 @@ impl Interval {
     pub fn advance(&mut self, step: FcdStep) {
         let before = std::mem::replace(&mut self.after, step);
         self.known = before.vehicles.iter().enumerate().map(|(i, v)| (v.id.clone(), i)).collect();
-        let mut slides = std::mem::take(&mut self.slides);
+        let mut lane_changes = std::mem::take(&mut self.lane_changes);
         for vehicle in &self.after.vehicles {
             let Some(earlier) = self.known.get(&vehicle.id).map(|i| &before.vehicles[*i]) else { continue };
-            let mut own = slides.remove(&vehicle.id).unwrap_or_default();
-            own.retain(|slide| before.time_s < slide.start_s + LANE_CHANGE_S);
-            match Step::between(earlier, vehicle, self.after.time_s - before.time_s) {
-                Step::Way => {}
-                Step::LaneChange { jump_m } => own.push(Slide { start_s: before.time_s, jump_m }),
-                Step::Teleport => own.clear(),
+            let mut own = lane_changes.remove(&vehicle.id).unwrap_or_default();
+            own.retain(|change| before.time_s < change.start_s + LANE_CHANGE_S);
+            match StepKind::between(earlier, vehicle, self.after.time_s - before.time_s) {
+                StepKind::Driving => {}
+                StepKind::LaneChange { jump_m } => own.push(LaneChange { start_s: before.time_s, jump_m }),
+                StepKind::Teleport => own.clear(),
             }
             // When there are more than the limit, the earliest are complete.
-            own.drain(..own.len().saturating_sub(SLIDES_AT_ONCE));
+            own.drain(..own.len().saturating_sub(CONCURRENT_LANE_CHANGES));
             if !own.is_empty() {
-                self.slides.insert(vehicle.id.clone(), own);
+                self.lane_changes.insert(vehicle.id.clone(), own);
             }
         }
         self.before = Some(before);
@@ -166,7 +166,7 @@ impl Interval {
 
     /// Distances driven by all vehicles in this interval, by the speeds of its later step and by their
     /// positions, m.
-    pub(crate) fn ways_m(&self) -> [f64; 2] {
+    pub(crate) fn driven_m(&self) -> [f64; 2] {
         let Some(before) = &self.before else { return [0.0; 2] };
         let step_s = self.after.time_s - before.time_s;
         let earlier = |vehicle: &FcdVehicle| Some(&before.vehicles[*self.known.get(&vehicle.id)?]);
@@ -183,7 +183,7 @@ impl Interval {
         let earlier = self.before.as_ref().zip(self.known.get(&vehicle.id));
         let Some((before, index)) = earlier else {
             let is_now = (time_s - self.after.time_s).abs() <= SAME_MOMENT_S;
-            return is_now.then(|| Bumper::as_told(vehicle));
+            return is_now.then(|| Bumper::as_recorded(vehicle));
         };
         self.between(before.time_s, &before.vehicles[*index], vehicle, time_s)
     }
@@ -192,10 +192,10 @@ impl Interval {
         let step_s = self.after.time_s - start_s;
         let u = ((time_s - start_s) / step_s).clamp(0.0, 1.0);
         let (from_m, to_m) = (DVec3::from(a.front_m), DVec3::from(b.front_m));
-        if Step::between(a, b, step_s) == Step::Teleport {
-            return (u == 1.0).then(|| Bumper::as_told(b));
+        if StepKind::between(a, b, step_s) == StepKind::Teleport {
+            return (u == 1.0).then(|| Bumper::as_recorded(b));
         }
-        let jump_m = own_jump(self.slides.get(&b.id), start_s);
+        let jump_m = own_jump(self.lane_changes.get(&b.id), start_s);
         let velocity_mps = velocity(b, to_m - from_m - jump_m.extend(0.0), step_s);
         let turn_rad = turn_rad(a, b);
         let mut bumper = Bumper {
@@ -204,8 +204,8 @@ impl Interval {
             yaw_rad: yaw_rad(a.angle_deg) + u * turn_rad,
             yaw_radps: turn_rad / step_s,
         };
-        for slide in self.slides.get(&b.id).into_iter().flatten() {
-            let (rest_m, rest_mps) = slide.rest(time_s);
+        for change in self.lane_changes.get(&b.id).into_iter().flatten() {
+            let (rest_m, rest_mps) = change.rest(time_s);
             bumper.front_m -= rest_m.extend(0.0);
             bumper.velocity_mps -= rest_mps.extend(0.0);
         }
@@ -214,9 +214,9 @@ impl Interval {
 }
 
 /// The jump in the step that begins at `start_s`.
-fn own_jump(slides: Option<&Vec<Slide>>, start_s: f64) -> DVec2 {
-    let own = slides.into_iter().flatten().filter(|slide| slide.start_s == start_s);
-    own.map(|slide| slide.jump_m).sum()
+fn own_jump(lane_changes: Option<&Vec<LaneChange>>, start_s: f64) -> DVec2 {
+    let own = lane_changes.into_iter().flatten().filter(|change| change.start_s == start_s);
+    own.map(|change| change.jump_m).sum()
 }
 
 /// Velocity of a vehicle with this displacement in a step, without jumps.
@@ -226,11 +226,13 @@ fn velocity(vehicle: &FcdVehicle, way_m: DVec3, step_s: f64) -> DVec3 {
     const SHORT_M: f64 = 0.15;
     let length_m = way_m.length();
     match vehicle.velocity {
-        ToldVelocity::Ahead { speed_mps } if (length_m - speed_mps * step_s).abs() <= ROUNDING_M => {
+        RecordedVelocity::AlongHeading { speed_mps }
+            if (length_m - speed_mps * step_s).abs() <= ROUNDING_M =>
+        {
             let ahead = heading(yaw_rad(vehicle.angle_deg)).extend(0.0);
             speed_mps * if length_m > SHORT_M { way_m / length_m } else { ahead }
         }
-        ToldVelocity::Whole { velocity_mps }
+        RecordedVelocity::Vector { velocity_mps }
             if way_m.distance(DVec3::from(velocity_mps) * step_s) <= ROUNDING_M =>
         {
             velocity_mps.into()
@@ -246,9 +248,9 @@ fn turn_rad(a: &FcdVehicle, b: &FcdVehicle) -> f64 {
 
 /// Kinds of a vehicle's step.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Step {
+pub enum StepKind {
     /// Ordinary driving.
-    Way,
+    Driving,
     /// Driving with a jump to another lane.
     LaneChange {
         /// Part of the displacement across the mean heading.
@@ -258,7 +260,7 @@ pub enum Step {
     Teleport,
 }
 
-impl Step {
+impl StepKind {
     /// Kind of a step of the given duration.
     pub fn between(a: &FcdVehicle, b: &FcdVehicle, step_s: f64) -> Self {
         let way = DVec3::from(b.front_m) - DVec3::from(a.front_m);
@@ -271,7 +273,7 @@ impl Step {
         } else if jump_m > SIDEWAYS_JUMP_M {
             Self::LaneChange { jump_m: across * aside_m }
         } else {
-            Self::Way
+            Self::Driving
         }
     }
 }

@@ -5,10 +5,10 @@
 //! middle. Coordinates are those of the recording, and thus the scene's. Ignored are lanes within junctions
 //! and crossings (`function` of the edge), which overlap, and those for pedestrians only.
 
-use crate::recording::in_view::View;
-use crate::recording::xml::{self, Element, XmlFault, XmlText};
+use crate::recording::field_of_view::FieldOfView;
+use crate::recording::xml::{self, Element, XmlFault, XmlReader};
 use crate::wording::excerpt::excerpt;
-use artifact::settings::Course;
+use artifact::settings::NetworkLane;
 use quick_xml::events::BytesStart;
 use std::path::{Path, PathBuf};
 
@@ -95,9 +95,9 @@ const COORDINATE_LIMIT_M: f64 = 1e5;
 const NAME_LIMIT_BYTES: usize = 256;
 
 /// Lanes with a part within the range of view, on any side, numbered from 1 in the order of the file.
-pub(crate) fn read_net(file: &Path, view: &View) -> Result<Vec<Course>, NetError> {
+pub(crate) fn read_net(file: &Path, view: &FieldOfView) -> Result<Vec<NetworkLane>, NetError> {
     let error = |line, rule| NetError { file: file.to_owned(), line, rule };
-    let mut text = XmlText::open(file).map_err(|fault| error(1, NetRule::Text(fault)))?;
+    let mut text = XmlReader::open(file).map_err(|fault| error(1, NetRule::Text(fault)))?;
     let mut net = Net { view, place: NetPlace::Before, is_passed_over: false, lanes: 0, courses: vec![] };
     loop {
         let read = net.advance(&mut text);
@@ -131,18 +131,18 @@ enum Progress {
 }
 
 struct Net<'v> {
-    view: &'v View,
+    view: &'v FieldOfView,
     place: NetPlace,
     /// Whether the open edge is ignored.
     is_passed_over: bool,
     /// Number of lanes for vehicles, in view or not.
     lanes: usize,
-    courses: Vec<Course>,
+    courses: Vec<NetworkLane>,
 }
 
 impl Net<'_> {
     /// Reads one element.
-    fn advance(&mut self, text: &mut XmlText) -> Result<Progress, NetRule> {
+    fn advance(&mut self, text: &mut XmlReader) -> Result<Progress, NetRule> {
         let (element, _) = text.next_element().map_err(NetRule::Text)?;
         match element {
             Element::Opens(tag) => self.open(&tag, NetPlace::Inside)?,
@@ -188,7 +188,7 @@ impl Net<'_> {
             return Err(NetRule::TooMany(LANE_LIMIT));
         }
         let number = (self.courses.len() + 1) as u8;
-        self.courses.push(Course { number, name: name.to_owned(), width_m, line_m });
+        self.courses.push(NetworkLane { number, name: name.to_owned(), width_m, line_m });
         Ok(())
     }
 }

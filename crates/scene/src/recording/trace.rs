@@ -1,12 +1,12 @@
 //! Ground truth of OSI as the steps of a recording: moving objects by the centres of their bounding boxes.
 
-use crate::recording::fcd::{FcdError, FcdRule, FcdStep, FcdVehicle, RecordingPlace, ToldVelocity};
+use crate::recording::fcd::{FcdError, FcdRule, FcdStep, FcdVehicle, RecordedVelocity, RecordingPlace};
 use crate::recording::step_order::StepOrder;
 use interchange::traffic::{GroundTruthReader, TraceError, TraceRule, TrafficObject};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
-pub(crate) use interchange::traffic::{type_names, type_told_as};
+pub(crate) use interchange::traffic::{canonical_type_name, type_names};
 
 /// Messages of a trace, in order.
 pub(crate) struct TraceReader {
@@ -56,7 +56,7 @@ fn vehicle(object: TrafficObject, message: u64) -> FcdVehicle {
         angle_deg: 90.0 - object.yaw_rad.to_degrees(),
         velocity: object
             .velocity_mps
-            .map_or(ToldVelocity::Nothing, |velocity_mps| ToldVelocity::Whole { velocity_mps }),
+            .map_or(RecordedVelocity::Unknown, |velocity_mps| RecordedVelocity::Vector { velocity_mps }),
         line: message,
     }
 }

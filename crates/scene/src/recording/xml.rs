@@ -53,16 +53,16 @@ pub(crate) enum Element<'b> {
 }
 
 /// A file of XML, read element by element.
-pub(crate) struct XmlText {
-    xml: quick_xml::Reader<Lines>,
+pub(crate) struct XmlReader {
+    xml: quick_xml::Reader<CountedLines>,
     buffer: Vec<u8>,
     depth: usize,
 }
 
-impl XmlText {
+impl XmlReader {
     /// Opens a file; its first bytes, not its name, tell whether it is packed.
     pub(crate) fn open(file: &Path) -> Result<Self, XmlFault> {
-        let source = Lines::open(file).map_err(XmlFault::Unreadable)?;
+        let source = CountedLines::open(file).map_err(XmlFault::Unreadable)?;
         Ok(Self { xml: quick_xml::Reader::from_reader(source), buffer: vec![], depth: 0 })
     }
 
@@ -81,8 +81,8 @@ impl XmlText {
         self.buffer.clear();
         self.xml.get_mut().since_element = 0;
         let event = self.xml.read_event_into(&mut self.buffer);
-        let Lines { line, packing, .. } = *self.xml.get_ref();
-        let element = match event.map_err(|error| fault(error, packing))? {
+        let CountedLines { line, compression, .. } = *self.xml.get_ref();
+        let element = match event.map_err(|error| fault(error, compression))? {
             Event::Start(_) if self.depth == DEPTH_LIMIT => return Err(XmlFault::TooDeep(DEPTH_LIMIT)),
             Event::Start(tag) => {
                 self.depth += 1;
@@ -115,14 +115,14 @@ pub(crate) fn attributes(tag: &BytesStart<'_>) -> Result<Vec<(String, String)>, 
     Ok(values)
 }
 
-fn fault(error: quick_xml::Error, packing: Packing) -> XmlFault {
+fn fault(error: quick_xml::Error, compression: Compression) -> XmlFault {
     let quick_xml::Error::Io(io) = &error else { return XmlFault::Xml(error) };
     // Only the kind distinguishes a system error from an unpacking error.
     let copy = || io::Error::new(io.kind(), io.to_string());
     match io.kind() {
         io::ErrorKind::FileTooLarge => XmlFault::ElementTooLong(ELEMENT_LIMIT_BYTES),
         io::ErrorKind::UnexpectedEof | io::ErrorKind::InvalidData | io::ErrorKind::InvalidInput
-            if packing == Packing::Gzip =>
+            if compression == Compression::Gzip =>
         {
             XmlFault::DamagedGzip(copy())
         }
@@ -132,35 +132,38 @@ fn fault(error: quick_xml::Error, packing: Packing) -> XmlFault {
 
 /// Compression of the text on disk.
 #[derive(Clone, Copy, PartialEq)]
-enum Packing {
+enum Compression {
     Plain,
     Gzip,
 }
 
 /// A text whose lines are counted while it is read.
-struct Lines {
+struct CountedLines {
     source: BufReader<Box<dyn Read>>,
-    packing: Packing,
+    compression: Compression,
     line: u64,
     bytes: u64,
     since_element: u64,
 }
 
-impl Lines {
+impl CountedLines {
     fn open(file: &Path) -> io::Result<Self> {
         let mut packed = BufReader::new(bounded::open(file)?);
-        let packing =
-            if packed.fill_buf()?.starts_with(&[0x1f, 0x8b]) { Packing::Gzip } else { Packing::Plain };
-        let source: Box<dyn Read> = match packing {
-            Packing::Gzip => Box::new(flate2::bufread::MultiGzDecoder::new(packed)),
-            Packing::Plain => Box::new(packed),
+        let compression = if packed.fill_buf()?.starts_with(&[0x1f, 0x8b]) {
+            Compression::Gzip
+        } else {
+            Compression::Plain
+        };
+        let source: Box<dyn Read> = match compression {
+            Compression::Gzip => Box::new(flate2::bufread::MultiGzDecoder::new(packed)),
+            Compression::Plain => Box::new(packed),
         };
         let source = BufReader::with_capacity(1 << 16, source);
-        Ok(Self { source, packing, line: 1, bytes: 0, since_element: 0 })
+        Ok(Self { source, compression, line: 1, bytes: 0, since_element: 0 })
     }
 }
 
-impl Read for Lines {
+impl Read for CountedLines {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         let read = self.fill_buf()?.read(buffer)?;
         self.consume(read);
@@ -168,7 +171,7 @@ impl Read for Lines {
     }
 }
 
-impl BufRead for Lines {
+impl BufRead for CountedLines {
     fn fill_buf(&mut self) -> io::Result<&[u8]> {
         if self.since_element > ELEMENT_LIMIT_BYTES {
             return Err(io::ErrorKind::FileTooLarge.into());

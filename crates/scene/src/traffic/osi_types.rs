@@ -8,7 +8,7 @@ pub(crate) enum StandIn {
     /// The vehicle of these classes nearest in size; the named one if the size is unknown.
     NearestOf(&'static [Class], &'static str),
     /// No stand-in: the object is ignored.
-    PassedOver,
+    Ignored,
 }
 
 const CAR: StandIn = StandIn::NearestOf(&[Class::Car], "car-sedan");
@@ -35,8 +35,8 @@ const STAND_INS: [(&str, StandIn); 17] = [
     ("TYPE_OTHER", ANY),
     ("TYPE_VEHICLE", ANY),
     ("TYPE_LAND_VEHICLE", ANY),
-    ("TYPE_PEDESTRIAN", StandIn::PassedOver),
-    ("TYPE_ANIMAL", StandIn::PassedOver),
+    ("TYPE_PEDESTRIAN", StandIn::Ignored),
+    ("TYPE_ANIMAL", StandIn::Ignored),
 ];
 
 /// Stand-in of a type; `None` for one that needs a model of its own. Pedestrians are ignored, like a
@@ -46,7 +46,7 @@ pub(crate) fn stand_in_of(kind: &str) -> Option<StandIn> {
 }
 
 /// Types with a vehicle as stand-in, for an error that names them.
-pub(crate) fn with_stand_in() -> Vec<&'static str> {
+pub(crate) fn types_with_stand_in() -> Vec<&'static str> {
     let placed = STAND_INS.into_iter().filter(|(_, stand_in)| matches!(stand_in, StandIn::NearestOf(..)));
     placed.map(|(name, _)| name).collect()
 }
@@ -69,9 +69,9 @@ mod tests {
             assert!(stand_in_of(needs_model).is_none());
         }
         for passed_over in ["TYPE_PEDESTRIAN", "TYPE_ANIMAL"] {
-            assert!(matches!(stand_in_of(passed_over), Some(StandIn::PassedOver)));
+            assert!(matches!(stand_in_of(passed_over), Some(StandIn::Ignored)));
         }
-        let placed = with_stand_in();
+        let placed = types_with_stand_in();
         assert!(placed.contains(&"TYPE_VAN") && !placed.contains(&"TYPE_PEDESTRIAN"));
     }
 }

@@ -1,7 +1,7 @@
 //! Sources of recorded traffic, and their steps in order.
 
 use crate::recording::fcd::{FcdError, FcdReader, FcdRule, FcdStep};
-use crate::recording::trace::{TraceReader, type_told_as};
+use crate::recording::trace::{TraceReader, canonical_type_name};
 use std::path::PathBuf;
 
 /// The recording that a scene names.
@@ -14,10 +14,10 @@ pub(crate) enum Source {
 
 impl Source {
     /// The recording's name for a type; `None` if it has no such type. SUMO's types have any names.
-    pub(crate) fn type_told_as(&self, name: &str) -> Option<String> {
+    pub(crate) fn canonical_type_name(&self, name: &str) -> Option<String> {
         match self {
             Self::Fcd(_) => Some(name.to_owned()),
-            Self::Osi(_) => type_told_as(name),
+            Self::Osi(_) => canonical_type_name(name),
         }
     }
 

@@ -55,7 +55,7 @@ fn materials_are_those_of_the_mapping() {
     let expected = [("paint", half_space(3.0, -0.1)), ("glass", half_space(6.0, -0.2))];
     assert_eq!(map.by_name, expected.map(|(name, material)| (name.to_owned(), material)));
     let mesh = read_mesh(&Fixture::car().path("car.xoma"), &METRES).unwrap();
-    let makeup = map.makeup(&mesh.materials);
+    let makeup = map.mesh_materials(&mesh.materials);
     assert_eq!(makeup.materials[2], Material::Conductor, "no material");
 }
 

@@ -4,7 +4,7 @@ use crate::fixture::{Fixture, MATERIAL_FILES, row, with_metadata};
 use artifact::material::{Backing, Layer, Material, Thickness};
 use artifact::scene::{Mesh, SceneHeader};
 use num_complex::Complex64;
-use scene::{Meshes, ReadOptions, SceneErrors, read, read_materials};
+use scene::{MeshLoading, ReadOptions, SceneErrors, read, read_materials};
 use serde_json::json;
 
 const WHOLE: ReadOptions = ReadOptions::whole();
@@ -203,6 +203,6 @@ fn a_broken_asset_is_told_once_at_its_model() {
     car.write_bytes("car.xoma", b"{}");
     let told = refused(&car, &scene_text("car.xoma"));
     assert_eq!(told, "s.toml:5:9: target `a`: car.xoma: key `metadata` is missing");
-    let names_only = ReadOptions { meshes: Meshes::NamesOnly, ..WHOLE };
+    let names_only = ReadOptions { meshes: MeshLoading::NamesOnly, ..WHOLE };
     assert!(read(&car.path("s.toml"), &names_only).is_ok(), "models are not opened");
 }

@@ -1,13 +1,13 @@
-//! Measures of all runs of a study so far: by design and situation.
+//! Metrics of all runs of a study so far: by design and situation.
 
-use crate::runs::reached::Reached;
+use crate::runs::run_accuracy::RunAccuracy;
 
 /// A run: its metrics, and its accuracy.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Run {
-    /// Values in the order of the study's measures.
+    /// Values in the order of the study's metrics.
     pub(crate) values: Vec<Option<f64>>,
-    pub(crate) accuracy: Reached,
+    pub(crate) accuracy: RunAccuracy,
 }
 
 /// Runs by design; each design has seen a number of the first situations.

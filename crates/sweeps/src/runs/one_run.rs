@@ -1,7 +1,7 @@
 //! One run: a design in a situation through the whole chain to its summary, without files and pictures.
 
-use crate::runs::reached::Errors;
-use crate::study::axis::Pick;
+use crate::runs::run_accuracy::ErrorSource;
+use crate::study::axis::AxisChoice;
 use crate::study::document::Study;
 use crate::study::situations::{Situation, changes_in};
 use artifact::envelope::fingerprint;
@@ -13,18 +13,18 @@ use pipeline::chain::frames::resolved;
 use pipeline::chain::link::{Chain, FrameProducts};
 use pipeline::chain::loaded_model::LoadedModel;
 use pipeline::chain::loading;
-use pipeline::chain::measured_frames::Known;
+use pipeline::chain::measured_frames::FramesByIndex;
 use pipeline::chain::stages::Stage;
 use pipeline::host::failure::Failure;
-use pipeline::host::in_order::AtOnce;
 use pipeline::host::memory::Allowance;
+use pipeline::host::ordered_jobs::ConcurrencyLimits;
 use pipeline::outcome::frame_truth::frame_truth;
 use pipeline::outcome::summary::{FrameSummary, Summary};
 use pipeline::outcome::tracking::Tracking;
-use scene::{Meshes, ReadOptions};
+use scene::{MeshLoading, ReadOptions};
 
 /// Resources common to all runs of a study.
-pub(crate) struct Means<'a> {
+pub(crate) struct RunResources<'a> {
     pub(crate) cache: Option<&'a Cache>,
     pub(crate) model: Option<&'a LoadedModel>,
     pub(crate) memory: Allowance,
@@ -36,8 +36,8 @@ pub(crate) struct Means<'a> {
 const MEASURED_EVERY: u32 = 1_000_000;
 
 /// Path errors measured in one run, for others of its kind.
-pub(crate) struct Measured {
-    known: Known,
+pub(crate) struct MeasuredErrors {
+    frames: FramesByIndex,
     /// Hash of their inputs.
     hash: String,
 }
@@ -45,40 +45,43 @@ pub(crate) struct Measured {
 /// Reads the scene of a design in a situation, with its models if requested.
 pub(crate) fn read(
     study: &Study,
-    design: &[Pick],
+    design: &[AxisChoice],
     situation: &Situation,
-    meshes: Meshes,
+    meshes: MeshLoading,
 ) -> Result<SceneHeader, Failure> {
     let changes = changes_in(study, design, situation);
     let options = ReadOptions { model: None, radar: study.radar.clone(), meshes };
-    let header = scene::read_changed(&study.scene, &changes, &options).map_err(loading::of_scene)?;
+    let header = scene::read_changed(&study.scene, &changes, &options).map_err(loading::scene_failure)?;
     let fidelity = Fidelity { measured_every: MEASURED_EVERY, ..header.fidelity };
     Ok(SceneHeader { seed: situation.seed, fidelity, ..header })
 }
 
 /// Measures the errors of a run's first frame.
-pub(crate) fn measured(header: &SceneHeader, means: &Means) -> Result<Measured, Failure> {
-    let chain = chain(header, means);
+pub(crate) fn measure_errors(
+    header: &SceneHeader,
+    resources: &RunResources,
+) -> Result<MeasuredErrors, Failure> {
+    let chain = chain(header, resources);
     let mut keys = vec![];
     for index in 0..header.radar.schedule.sub_frames().min(header.frames) {
         let plan = chain.plan(index);
         chain.scattering(&plan)?;
         keys.push(plan.keys.bart_rcs.id());
     }
-    Ok(Measured { known: chain.measured(), hash: fingerprint(&keys) })
+    Ok(MeasuredErrors { frames: chain.measured(), hash: fingerprint(&keys) })
 }
 
 /// Summary of all frames of a scene, with errors of another run of its kind if given, and the run in which
 /// its errors were measured.
 pub(crate) fn summary(
     header: &SceneHeader,
-    like: Option<&Measured>,
-    means: &Means,
-) -> Result<(Summary, Errors), Failure> {
-    let chain = chain(header, means);
-    let mut errors = Errors::Own;
+    like: Option<&MeasuredErrors>,
+    resources: &RunResources,
+) -> Result<(Summary, ErrorSource), Failure> {
+    let chain = chain(header, resources);
+    let mut errors = ErrorSource::Own;
     let chain = match like {
-        Some(measured) => chain.like(measured.known.clone(), &measured.hash),
+        Some(measured) => chain.with_measured_errors(measured.frames.clone(), &measured.hash),
         None => chain,
     };
     let mut tracking = Tracking::of(&chain)?;
@@ -90,10 +93,10 @@ pub(crate) fn summary(
         }
         for frame in resolved(&chain, std::mem::take(&mut cycle))? {
             if like.is_some() && takes_over(&frame) {
-                errors = Errors::TakenOver;
+                errors = ErrorSource::TakenOver;
             }
             let truth = frame_truth(&chain, &frame)?;
-            let (_, tracks) = tracking.follow(&frame, &truth)?;
+            let (_, tracks) = tracking.step(&frame, &truth)?;
             frames.push(FrameSummary::of(&frame.view, &frame.result, &truth, tracks));
         }
     }
@@ -107,8 +110,9 @@ fn takes_over(frame: &FrameProducts) -> bool {
 
 /// The chain of a scene, which caches only scattering: later stages are computed quickly, and their frames
 /// fill a disk.
-fn chain<'a>(header: &'a SceneHeader, means: &Means<'a>) -> Chain<'a> {
-    let chain = Chain::of(header, means.cache, means.model, means.memory).keeping(Stage::BartRcs);
-    chain.share_memory(AtOnce { workers: means.at_once, held: means.at_once });
+fn chain<'a>(header: &'a SceneHeader, resources: &RunResources<'a>) -> Chain<'a> {
+    let chain =
+        Chain::of(header, resources.cache, resources.model, resources.memory).caching_up_to(Stage::BartRcs);
+    chain.share_memory(ConcurrencyLimits { workers: resources.at_once, held: resources.at_once });
     chain
 }

@@ -4,7 +4,7 @@ use crate::statistics::student::two_sided;
 
 /// Possible values of a measured quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Scale {
+pub(crate) enum ValueRange {
     /// Values from the first to the second.
     Within([f64; 2]),
     /// Any number.
@@ -13,7 +13,7 @@ pub(crate) enum Scale {
     Fixed,
 }
 
-impl Scale {
+impl ValueRange {
     pub(crate) const SHARE: Self = Self::Within([0.0, 1.0]);
 
     /// Possible values of the difference of two such quantities.
@@ -59,21 +59,21 @@ impl Mean {
     /// trials are consistent with a probability of ((1 − confidence)/2)^(1/count) and more (Clopper and
     /// Pearson, Biometrika 26 (1934) 404), and the other outcomes are at worst at either bound. For unbounded
     /// values the interval is then unknown.
-    pub(crate) fn on_scale(values: &[f64], scale: Scale, confidence: f64) -> Option<Self> {
+    pub(crate) fn on_scale(values: &[f64], scale: ValueRange, confidence: f64) -> Option<Self> {
         let mean = Self::of(values, confidence)?;
         let alike = (0.5 * (1.0 - confidence)).powf(1.0 / mean.count as f64);
         let of_alike = |bounds: [f64; 2]| bounds.map(|end| alike * mean.value + (1.0 - alike) * end);
         Some(match (scale, mean.ends) {
-            (Scale::Within(bounds), Some(_)) if are_alike(values) => {
+            (ValueRange::Within(bounds), Some(_)) if are_alike(values) => {
                 let [low, high] = of_alike(bounds);
                 let half_width = Some((mean.value - low).max(high - mean.value));
                 Self { half_width, ends: Some([low, high]), ..mean }
             }
-            (Scale::Within([least, greatest]), Some(ends)) => {
+            (ValueRange::Within([least, greatest]), Some(ends)) => {
                 Self { ends: Some(ends.map(|end| end.clamp(least, greatest))), ..mean }
             }
-            (Scale::Any, _) if are_alike(values) => Self { half_width: None, ends: None, ..mean },
-            (Scale::Within(_), None) | (Scale::Any | Scale::Fixed, _) => mean,
+            (ValueRange::Any, _) if are_alike(values) => Self { half_width: None, ends: None, ..mean },
+            (ValueRange::Within(_), None) | (ValueRange::Any | ValueRange::Fixed, _) => mean,
         })
     }
 
@@ -83,7 +83,7 @@ impl Mean {
     }
 
     /// Mean of the differences `a` − `b` of values on a scale, in situations in which both are known.
-    pub(crate) fn of_pairs([a, b]: [&[Option<f64>]; 2], scale: Scale, confidence: f64) -> Option<Self> {
+    pub(crate) fn of_pairs([a, b]: [&[Option<f64>]; 2], scale: ValueRange, confidence: f64) -> Option<Self> {
         let differences: Vec<f64> = a.iter().zip(b).filter_map(|(a, b)| Some((*a)? - (*b)?)).collect();
         Self::on_scale(&differences, scale.of_differences(), confidence)
     }
@@ -129,7 +129,7 @@ mod tests {
 
     #[test]
     fn shares_that_are_all_alike_still_have_an_interval_and_none_leaves_0_to_1() {
-        let shares = |shares: &[f64]| Mean::on_scale(shares, Scale::SHARE, 0.95).unwrap();
+        let shares = |shares: &[f64]| Mean::on_scale(shares, ValueRange::SHARE, 0.95).unwrap();
         let all = shares(&[1.0; 6]);
         let low = 0.025_f64.powf(1.0 / 6.0);
         let is = |ends: Option<[f64; 2]>, [from, to]: [f64; 2]| {
@@ -154,7 +154,7 @@ mod tests {
         let mut random = ChaCha8Rng::seed_from_u64(7);
         let mut holds = || {
             let shares = [(); 6].map(|()| f64::from(u8::from(random.random::<f64>() < 0.95)));
-            let [low, high] = Mean::on_scale(&shares, Scale::SHARE, 0.95).unwrap().ends.unwrap();
+            let [low, high] = Mean::on_scale(&shares, ValueRange::SHARE, 0.95).unwrap().ends.unwrap();
             (low..=high).contains(&0.95)
         };
         let held = (0..1000).filter(|_| holds()).count();
@@ -165,7 +165,7 @@ mod tests {
     fn what_two_designs_share_falls_out_of_their_difference() {
         let a = [Some(10.0), Some(21.0), None, Some(32.0)];
         let b = [Some(9.0), Some(20.0), Some(5.0), None];
-        let pairs = Mean::of_pairs([&a, &b], Scale::Fixed, 0.95).unwrap();
+        let pairs = Mean::of_pairs([&a, &b], ValueRange::Fixed, 0.95).unwrap();
         assert_eq!((pairs.value, pairs.half_width, pairs.count), (1.0, Some(0.0), 2));
     }
 
@@ -173,15 +173,15 @@ mod tests {
     fn differences_that_agree_in_few_situations_may_be_others_in_the_next() {
         let of = |a: f64, b: f64, scale| Mean::of_pairs([&[Some(a); 6], &[Some(b); 6]], scale, 0.95).unwrap();
         let alike = 0.025_f64.powf(1.0 / 6.0);
-        let equal = of(0.7, 0.7, Scale::SHARE);
+        let equal = of(0.7, 0.7, ValueRange::SHARE);
         assert!((equal.half_width.unwrap() - (1.0 - alike)).abs() < 1e-12, "{equal:?}");
         assert!((equal.low() + 1.0 - alike).abs() < 1e-12, "{equal:?}");
-        let [whole, half] = [0.0, 0.5].map(|share| of(1.0, share, Scale::SHARE));
+        let [whole, half] = [0.0, 0.5].map(|share| of(1.0, share, ValueRange::SHARE));
         assert!(
             whole.low() > 0.05 && whole.ends.unwrap()[1] == 1.0 && half.low() < 0.0,
             "{whole:?} {half:?}"
         );
-        let [any, fixed] = [Scale::Any, Scale::Fixed].map(|scale| of(3.0, 2.0, scale));
+        let [any, fixed] = [ValueRange::Any, ValueRange::Fixed].map(|scale| of(3.0, 2.0, scale));
         assert_eq!((any.value, any.half_width, any.low()), (1.0, None, f64::NEG_INFINITY));
         assert_eq!((fixed.half_width, fixed.low()), (Some(0.0), 1.0));
     }
@@ -194,7 +194,7 @@ mod tests {
         let mut holds = || {
             let other = [(); 6].map(|()| Some(f64::from(u8::from(random.random::<f64>() < 0.05))));
             let [low, high] =
-                Mean::of_pairs([&other, &[Some(0.0); 6]], Scale::SHARE, 0.95).unwrap().ends.unwrap();
+                Mean::of_pairs([&other, &[Some(0.0); 6]], ValueRange::SHARE, 0.95).unwrap().ends.unwrap();
             (low..=high).contains(&0.05)
         };
         let held = (0..1000).filter(|_| holds()).count();

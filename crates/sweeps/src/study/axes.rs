@@ -1,8 +1,8 @@
 //! Axes of a study's file: `[[vary]]` and `[[condition]]`.
 
-use crate::study::axis::{Axis, Pick, Source};
+use crate::study::axis::{Axis, AxisChoice, Source};
 use crate::study::fields::{Fields, Value, number};
-use crate::study::page::Position;
+use crate::study::study_text::Position;
 use pipeline::host::failure::Failure;
 
 /// Keys of an axis in the file.
@@ -64,7 +64,7 @@ fn listed(fields: &Fields<'_>, keys: &[String], values: &[&Value<'_>]) -> Result
     };
     let groups = values.iter().map(each).collect::<Result<Vec<_>, _>>()?;
     let labels = labels(fields, &groups)?;
-    let pick = |(label, values): (String, Vec<String>)| Pick { label, values };
+    let pick = |(label, values): (String, Vec<String>)| AxisChoice { label, values };
     Ok(Source::Listed(labels.into_iter().zip(groups).map(pick).collect()))
 }
 

@@ -1,6 +1,6 @@
 //! An axis of a study: keys of a scene that change together, with their values.
 
-use crate::study::page::Position;
+use crate::study::study_text::Position;
 
 /// Keys of a scene that change together, with their values.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,7 +16,7 @@ pub(crate) struct Axis {
 /// Source of an axis's values.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Source {
-    Listed(Vec<Pick>),
+    Listed(Vec<AxisChoice>),
     /// Any number in an interval.
     Uniform([f64; 2]),
     /// Any whole number in an interval, both ends included.
@@ -25,7 +25,7 @@ pub(crate) enum Source {
 
 /// A choice of an axis: a value for each of its keys, in TOML.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) struct Pick {
+pub(crate) struct AxisChoice {
     /// Name in tables and reports.
     pub(crate) label: String,
     pub(crate) values: Vec<String>,
@@ -33,7 +33,7 @@ pub(crate) struct Pick {
 
 impl Axis {
     /// Listed choices; `None` for a drawn axis.
-    pub(crate) fn listed(&self) -> Option<&[Pick]> {
+    pub(crate) fn listed(&self) -> Option<&[AxisChoice]> {
         match &self.source {
             Source::Listed(picks) => Some(picks),
             Source::Uniform(_) | Source::Whole(_) => None,
@@ -41,13 +41,13 @@ impl Axis {
     }
 
     /// Place of a choice in the study's file.
-    pub(crate) fn place_of(&self, pick: &Pick) -> Option<Position> {
+    pub(crate) fn place_of(&self, pick: &AxisChoice) -> Option<Position> {
         let index = self.listed().and_then(|picks| picks.iter().position(|listed| listed == pick));
         self.places.get(index.unwrap_or(0)).copied()
     }
 
     /// Choice at a fraction of the axis, from 0 to below 1.
-    pub(crate) fn at(&self, share: f64) -> Pick {
+    pub(crate) fn at(&self, share: f64) -> AxisChoice {
         match &self.source {
             Source::Listed(picks) => picks[(share * picks.len() as f64) as usize].clone(),
             Source::Uniform([low, high]) => self.drawn(rounded(low + (high - low) * share, [*low, *high])),
@@ -59,8 +59,8 @@ impl Axis {
     }
 
     /// A drawn value, common to all keys.
-    fn drawn(&self, value: String) -> Pick {
-        Pick { label: value.clone(), values: vec![value; self.keys.len()] }
+    fn drawn(&self, value: String) -> AxisChoice {
+        AxisChoice { label: value.clone(), values: vec![value; self.keys.len()] }
     }
 }
 
@@ -109,7 +109,7 @@ mod tests {
 
     #[test]
     fn every_listed_value_has_an_equal_share() {
-        let pick = |label: &str| Pick { label: label.into(), values: vec![label.into(); 2] };
+        let pick = |label: &str| AxisChoice { label: label.into(), values: vec![label.into(); 2] };
         let listed = axis(Source::Listed(["a", "b", "c"].map(pick).to_vec()));
         assert_eq!([0.0, 0.34, 0.999].map(|share| listed.at(share).label), ["a", "b", "c"]);
     }

@@ -1,6 +1,6 @@
 //! Designs of a study: every combination of its varied values, or a drawn sample of them.
 
-use crate::study::axis::{Axis, Pick};
+use crate::study::axis::{Axis, AxisChoice};
 use crate::study::document::Study;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -8,7 +8,7 @@ use scene::Change;
 
 /// All designs, each a choice for every axis of `vary`. A drawn one is a function of the seed and its number:
 /// a larger sample begins with the smaller one.
-pub(crate) fn designs(study: &Study) -> Vec<Vec<Pick>> {
+pub(crate) fn designs(study: &Study) -> Vec<Vec<AxisChoice>> {
     match study.sample {
         Some(count) => (0..u64::from(count)).map(|number| sample(study, number)).collect(),
         None => product(&study.vary),
@@ -16,9 +16,10 @@ pub(crate) fn designs(study: &Study) -> Vec<Vec<Pick>> {
 }
 
 /// Every combination of the listed values, with the last axis varying fastest; drawn axes are left out.
-pub(crate) fn product(axes: &[Axis]) -> Vec<Vec<Pick>> {
+pub(crate) fn product(axes: &[Axis]) -> Vec<Vec<AxisChoice>> {
     axes.iter().filter_map(Axis::listed).fold(vec![vec![]], |before, picks| {
-        let with = |all: &Vec<Pick>, pick: &Pick| all.iter().chain([pick]).cloned().collect::<Vec<_>>();
+        let with =
+            |all: &Vec<AxisChoice>, pick: &AxisChoice| all.iter().chain([pick]).cloned().collect::<Vec<_>>();
         before.iter().flat_map(|all| picks.iter().map(move |pick| with(all, pick))).collect()
     })
 }
@@ -34,7 +35,7 @@ pub(crate) fn combinations(axes: &[Axis]) -> u64 {
     counts.fold(1, u64::saturating_mul)
 }
 
-fn sample(study: &Study, number: u64) -> Vec<Pick> {
+fn sample(study: &Study, number: u64) -> Vec<AxisChoice> {
     let share = |axis: u64| share(study.seed, "sweep/design", &[number, axis]);
     study.vary.iter().zip(0..).map(|(axis, place)| axis.at(share(place))).collect()
 }
@@ -45,8 +46,8 @@ pub(crate) fn share(seed: u64, of: &str, index: &[u64]) -> f64 {
 }
 
 /// Changes to a scene from choices.
-pub(crate) fn changes<'a>(chosen: impl Iterator<Item = (&'a Axis, &'a Pick)>) -> Vec<Change> {
-    let of_axis = |(axis, pick): (&'a Axis, &'a Pick)| {
+pub(crate) fn changes<'a>(chosen: impl Iterator<Item = (&'a Axis, &'a AxisChoice)>) -> Vec<Change> {
+    let of_axis = |(axis, pick): (&'a Axis, &'a AxisChoice)| {
         let change = |(key, value): (&String, &String)| Change { key: key.clone(), value: value.clone() };
         axis.keys.iter().zip(&pick.values).map(change).collect::<Vec<_>>()
     };

@@ -1,10 +1,10 @@
 //! A study's file, `STUDY.toml`; its keys are in `docs/sweeps.md`.
 
-use crate::metrics::{Better, Measures};
+use crate::metrics::{Better, Metrics};
 use crate::study::axes;
 use crate::study::axis::Axis;
 use crate::study::fields::{Fields, nearest, number};
-use crate::study::page::Page;
+use crate::study::study_text::StudyText;
 use artifact::seed::SEEDS;
 use pipeline::host::failure::Failure;
 use scene::toml_text;
@@ -34,7 +34,7 @@ const KEYS: [&str; 11] = [
 /// A study, checked by itself; its scenes are checked later.
 pub(crate) struct Study {
     /// File that was read.
-    pub(crate) page: Arc<Page>,
+    pub(crate) page: Arc<StudyText>,
     /// Scene that all designs change.
     pub(crate) scene: PathBuf,
     /// Id of one of several radars.
@@ -43,7 +43,7 @@ pub(crate) struct Study {
     pub(crate) repeats: u32,
     /// Confidence of the intervals of means.
     pub(crate) confidence: f64,
-    pub(crate) measures: Measures,
+    pub(crate) metrics: Metrics,
     /// Axes of the choice.
     pub(crate) vary: Vec<Axis>,
     /// Axes of conditions, over which results are averaged.
@@ -52,16 +52,16 @@ pub(crate) struct Study {
     pub(crate) sample: Option<u32>,
     pub(crate) goal: Goal,
     /// Rule for dropping designs; `None`: all are repeated equally often.
-    pub(crate) stop: Option<Stop>,
+    pub(crate) stop: Option<EarlyStopping>,
 }
 
 /// Metric that a study chooses by.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Goal {
-    /// Index of the metric among the measures.
+    /// Index of the metric among the metrics.
     pub(crate) metric: usize,
     pub(crate) better: Better,
-    /// Index of a design's cost among the measures; less is better.
+    /// Index of a design's cost among the metrics; less is better.
     pub(crate) cost: usize,
     /// Acceptable loss of the metric for a cheaper design; `None`: one standard error of the difference.
     pub(crate) margin: Option<f64>,
@@ -69,7 +69,7 @@ pub(crate) struct Goal {
 
 /// Rule for dropping designs.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Stop {
+pub(crate) struct EarlyStopping {
     /// Probability that the best design is not dropped.
     pub(crate) confidence: f64,
     /// Least number of situations before a design is dropped.
@@ -79,7 +79,7 @@ pub(crate) struct Stop {
 impl Study {
     /// Reads and checks the file; `seed` replaces its own.
     pub(crate) fn read(file: &Path, seed: Option<u64>) -> Result<Self, Failure> {
-        let page = Arc::new(Page::read(file)?);
+        let page = Arc::new(StudyText::read(file)?);
         let table = DeTable::parse(&page.text).map_err(|error| {
             let at = error.span().map_or(0, |span| span.start);
             page.refused(at, "", &format!("not valid TOML: {}", error.message()))
@@ -91,7 +91,7 @@ impl Study {
         Ok(Self { seed: seed.unwrap_or(study.seed), ..study })
     }
 
-    fn of(root: &Fields<'_>, page: &Arc<Page>) -> Result<Self, Failure> {
+    fn of(root: &Fields<'_>, page: &Arc<StudyText>) -> Result<Self, Failure> {
         let axes = |key| root.tables(key, &axes::KEYS)?.iter().map(axes::read).collect::<Result<Vec<_>, _>>();
         let (vary, conditions) = (axes("vary")?, axes("condition")?);
         let sample = root.table("sample", &["count"])?.map(|sample| count(&sample)).transpose()?;
@@ -99,7 +99,7 @@ impl Study {
         with_effect(page, &vary, &conditions)?;
         size(root, &vary, sample)?;
         let confidence = root.number("confidence", 0.5..=0.9999)?.unwrap_or(0.95);
-        let measures = Measures::of(bands(root)?);
+        let metrics = Metrics::of(bands(root)?);
         let goal = root.table("goal", &["metric", "better", "cost", "margin"])?;
         let stop = root.table("stop", &["confidence", "least"])?;
         Ok(Self {
@@ -113,9 +113,9 @@ impl Study {
             seed: root.whole("seed", SEEDS)?.unwrap_or(1),
             repeats: root.whole("repeats", 1..=REPEATS_LIMIT)?.unwrap_or(1) as u32,
             confidence,
-            goal: read_goal(&required(root, "goal", goal)?, &measures)?,
+            goal: read_goal(&required(root, "goal", goal)?, &metrics)?,
             stop: stop.map(|stop| read_stop(&stop, confidence)).transpose()?,
-            measures,
+            metrics,
             vary,
             conditions,
             sample,
@@ -177,7 +177,7 @@ const WITHOUT_EFFECT: [(&str, &str); 4] = [
 ];
 
 /// Refuses keys without effect, which make equal designs.
-fn with_effect(page: &Page, vary: &[Axis], conditions: &[Axis]) -> Result<(), Failure> {
+fn with_effect(page: &StudyText, vary: &[Axis], conditions: &[Axis]) -> Result<(), Failure> {
     let reason = |key: &String| WITHOUT_EFFECT.iter().find(|(idle, _)| idle == key);
     let idle = |axis: &Axis| Some((axis.places.first().copied(), axis.keys.iter().find_map(reason)?));
     match vary.iter().chain(conditions).find_map(idle) {
@@ -205,11 +205,11 @@ fn size(root: &Fields<'_>, vary: &[Axis], sample: Option<u32>) -> Result<(), Fai
     Ok(())
 }
 
-fn read_goal(goal: &Fields<'_>, measures: &Measures) -> Result<Goal, Failure> {
+fn read_goal(goal: &Fields<'_>, metrics: &Metrics) -> Result<Goal, Failure> {
     let metric = required(goal, "metric", goal.text("metric")?)?;
-    let metric = measure(goal, "metric", metric, measures)?;
+    let metric = metric_index(goal, "metric", metric, metrics)?;
     let better = match goal.text("better")? {
-        None => measures.better(metric),
+        None => metrics.better(metric),
         Some("lower") => Better::Lower,
         Some("higher") => Better::Higher,
         Some(other) => {
@@ -218,12 +218,12 @@ fn read_goal(goal: &Fields<'_>, measures: &Measures) -> Result<Goal, Failure> {
             );
         }
     };
-    let cost = measure(goal, "cost", goal.text("cost")?.unwrap_or("channels"), measures)?;
+    let cost = metric_index(goal, "cost", goal.text("cost")?.unwrap_or("channels"), metrics)?;
     Ok(Goal { metric, better, cost, margin: goal.number("margin", 0.0..=1e9)? })
 }
 
-fn measure(goal: &Fields<'_>, key: &str, name: &str, measures: &Measures) -> Result<usize, Failure> {
-    let known: Vec<&str> = measures.names().collect();
+fn metric_index(goal: &Fields<'_>, key: &str, name: &str, metrics: &Metrics) -> Result<usize, Failure> {
+    let known: Vec<&str> = metrics.names().collect();
     let refused = || {
         let at = goal.value(key).map_or(goal.at, |value| value.span().start);
         goal.refused(at, &format!("`{key}`: there is no metric `{name}`{}", nearest(name, &known)))
@@ -231,7 +231,7 @@ fn measure(goal: &Fields<'_>, key: &str, name: &str, measures: &Measures) -> Res
     known.iter().position(|known| *known == name).ok_or_else(refused)
 }
 
-fn read_stop(stop: &Fields<'_>, confidence: f64) -> Result<Stop, Failure> {
+fn read_stop(stop: &Fields<'_>, confidence: f64) -> Result<EarlyStopping, Failure> {
     let confidence = stop.number("confidence", 0.5..=0.9999)?.unwrap_or(confidence);
-    Ok(Stop { confidence, least: stop.whole("least", 2..=RUNS_LIMIT)?.unwrap_or(8) as usize })
+    Ok(EarlyStopping { confidence, least: stop.whole("least", 2..=RUNS_LIMIT)?.unwrap_or(8) as usize })
 }

@@ -1,6 +1,6 @@
 //! A table of a study's file with typed access to its keys; faults are refused with their place.
 
-use crate::study::page::Page;
+use crate::study::study_text::StudyText;
 use pipeline::host::failure::Failure;
 use std::ops::RangeInclusive;
 use toml::Spanned;
@@ -11,7 +11,7 @@ pub(crate) type Value<'d> = Spanned<DeValue<'d>>;
 
 /// A table of a study's file.
 pub(crate) struct Fields<'d> {
-    pub(crate) page: &'d Page,
+    pub(crate) page: &'d StudyText,
     /// Name of the table in errors; empty for the beginning of the file.
     pub(crate) place: String,
     /// Byte at which the table begins.
@@ -22,7 +22,7 @@ pub(crate) struct Fields<'d> {
 impl<'d> Fields<'d> {
     /// Makes the fields of a table, which must have no other than the known keys.
     pub(crate) fn of(
-        page: &'d Page,
+        page: &'d StudyText,
         place: &str,
         at: usize,
         table: &'d DeTable<'d>,

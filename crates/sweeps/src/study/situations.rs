@@ -1,7 +1,7 @@
 //! Situations in which every design of a study is tried, with the same conditions and seeds for all, so that
 //! designs are compared in pairs.
 
-use crate::study::axis::{Axis, Pick};
+use crate::study::axis::{Axis, AxisChoice};
 use crate::study::designs::{changes, combinations, product, share};
 use crate::study::document::Study;
 use scene::Change;
@@ -15,7 +15,7 @@ pub(crate) struct Situation {
     /// Seed of the scene's noise and other random draws.
     pub(crate) seed: u64,
     /// A choice for every axis of `condition`.
-    pub(crate) picks: Vec<Pick>,
+    pub(crate) picks: Vec<AxisChoice>,
 }
 
 /// Situations by repeat: every combination of the listed conditions, with new random draws.
@@ -37,11 +37,11 @@ pub(crate) fn count(study: &Study) -> u64 {
 }
 
 /// Changes to the scene for a design in a situation.
-pub(crate) fn changes_in(study: &Study, design: &[Pick], situation: &Situation) -> Vec<Change> {
+pub(crate) fn changes_in(study: &Study, design: &[AxisChoice], situation: &Situation) -> Vec<Change> {
     changes(study.vary.iter().zip(design).chain(study.conditions.iter().zip(&situation.picks)))
 }
 
-fn situation(study: &Study, repeat: u32, condition: usize, listed: &[Pick]) -> Situation {
+fn situation(study: &Study, repeat: u32, condition: usize, listed: &[AxisChoice]) -> Situation {
     let index = [u64::from(repeat), condition as u64];
     let seed = artifact::seed::derived(study.seed, "sweep/scene", &index);
     let mut listed = listed.iter();

@@ -7,13 +7,13 @@ use crate::program::learning_cli::LearningCommand;
 use crate::program::numbers::whole;
 use crate::program::option_words::{AxesWord, FormatWord, MethodWord, boards, iq_orders, lanes, one_of};
 use crate::program::suggestion::suggest;
-use crate::program::terminal::{self, Results};
-use crate::program::values::{Axis, Place, Shard};
+use crate::program::terminal::{self, ResultKind};
+use crate::program::values::{Axis, Shard, WorldPosition};
 use crate::program::values::{
     accuracy_db, azimuth_deg, azimuths, bounces, density, elevation_deg, elevations, frequencies, place,
     range,
 };
-use crate::program::values::{full_scale, scale, shard, step};
+use crate::program::values::{full_scale, scale, shard, step, vehicle_name};
 use crate::stepwise::DENSITY_PER_WAVELENGTH;
 use crate::stepwise::table_words::{EDGES, NODES, POLARIZATIONS, SIDES, SURFACES, TRANSMISSION};
 use artifact::material::Transmission;
@@ -56,12 +56,12 @@ pub struct General {
 
 impl Command {
     /// Returns whether the command's results are files or only lines of standard output.
-    pub fn results(&self) -> Results {
+    pub fn results(&self) -> ResultKind {
         match self {
             #[cfg(feature = "classifier")]
             Self::Learning(command) => command.results(),
-            Self::Score(_) | Self::Inspect(_) | Self::Cache(_) => Results::Lines,
-            _ => Results::Files,
+            Self::Score(_) | Self::Inspect(_) | Self::Cache(_) => ResultKind::Lines,
+            _ => ResultKind::Files,
         }
     }
 }
@@ -85,7 +85,7 @@ fn printed(told: &clap::Error) -> ExitCode {
     if told.use_stderr() {
         return ExitCode::from(exit_codes::WRONG_USAGE);
     }
-    terminal::keep(printed);
+    terminal::record_print_result(printed);
     exit_codes::of(Ok(()))
 }
 
@@ -431,7 +431,7 @@ pub struct CalibrateArguments {
     pub(crate) cube: PathBuf,
     /// Position of the reflector in world coordinates, m.
     #[arg(long, value_name = "X,Y,Z", value_parser = place)]
-    pub(crate) at_m: Place,
+    pub(crate) at_m: WorldPosition,
     /// Output file.
     #[arg(long, value_name = "F.csv")]
     pub(crate) out: PathBuf,
@@ -491,6 +491,9 @@ pub struct InspectArguments {
 /// Arguments of `vehicles`.
 #[derive(Debug, Args)]
 pub struct VehiclesArguments {
+    /// Vehicles to write [default: all].
+    #[arg(value_name = "NAME", value_parser = vehicle_name)]
+    pub(crate) names: Vec<&'static str>,
     /// Output folder.
     #[arg(long, value_name = "DIR")]
     pub(crate) out: PathBuf,

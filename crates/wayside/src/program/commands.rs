@@ -18,19 +18,19 @@ mod vehicles;
 mod learning;
 
 use crate::program::cli::Command;
-use crate::program::means::Means;
-use crate::program::out_endings;
+use crate::program::command_context::CommandContext;
+use crate::program::out_extension;
 use pipeline::host::failure::Failure;
 
 #[cfg(feature = "classifier")]
 pub use ::learning::training::{PROGRAM as TRAINING_PROGRAM, target_folder as training_target_folder};
 
 /// Carries out a command.
-pub fn dispatch(command: Command, means: &Means) -> Result<(), Failure> {
-    let memory = means.memory;
-    out_endings::check(&command, &means.command)?;
+pub fn dispatch(command: Command, context: &CommandContext) -> Result<(), Failure> {
+    let memory = context.memory;
+    out_extension::check(&command, &context.command)?;
     match command {
-        Command::Run(arguments) => run::run(&arguments, means),
+        Command::Run(arguments) => run::run(&arguments, context),
         Command::Rcs(arguments) => {
             rcs::run(&arguments, memory).map_err(|failure| failure.about(&arguments.mesh))
         }
@@ -44,7 +44,7 @@ pub fn dispatch(command: Command, means: &Means) -> Result<(), Failure> {
         #[cfg(feature = "classifier")]
         Command::Learning(command) => learning::dispatch(command, memory),
         Command::Sweep(arguments) => {
-            sweep::run(&arguments, means).map_err(|failure| failure.about(&arguments.study))
+            sweep::run(&arguments, context).map_err(|failure| failure.about(&arguments.study))
         }
         Command::Score(arguments) => {
             score::run(&arguments).map_err(|failure| failure.about(&arguments.points))

@@ -17,11 +17,11 @@ pub(crate) fn of(ended: Result<(), Failure>) -> ExitCode {
 /// Prints the error on standard error; exit code 1 for a refusal, 2 for errors of the system or of the
 /// arguments, 130 for a cancelled command.
 fn report(failure: &Failure) -> ExitCode {
-    terminal::say(format_args!("error: {}", printable(&failure.to_string())));
+    terminal::print_status(format_args!("error: {}", printable(&failure.to_string())));
     match failure {
         Failure::Refused(_) | Failure::Unplaced(_) => ExitCode::from(1),
         Failure::System(_) => ExitCode::from(WRONG_USAGE),
-        Failure::CalledOff => ExitCode::from(130),
+        Failure::Cancelled => ExitCode::from(130),
     }
 }
 

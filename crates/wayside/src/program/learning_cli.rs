@@ -1,7 +1,7 @@
 //! Arguments of the commands that make datasets, train and classify.
 
 use crate::program::numbers::whole;
-use crate::program::terminal::Results;
+use crate::program::terminal::ResultKind;
 use crate::program::values::{Shard, shard};
 use artifact::seed::SEEDS;
 use clap::{Args, Subcommand, ValueEnum};
@@ -24,10 +24,10 @@ pub enum LearningCommand {
 
 impl LearningCommand {
     /// Returns whether the command's results are files or only lines of standard output.
-    pub(crate) fn results(&self) -> Results {
+    pub(crate) fn results(&self) -> ResultKind {
         match self {
-            Self::Dataset(_) | Self::Train(_) => Results::Files,
-            Self::Classify(_) | Self::Evaluate(_) | Self::Protocols(_) => Results::Lines,
+            Self::Dataset(_) | Self::Train(_) => ResultKind::Files,
+            Self::Classify(_) | Self::Evaluate(_) | Self::Protocols(_) => ResultKind::Lines,
         }
     }
 }

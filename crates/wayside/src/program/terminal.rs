@@ -3,7 +3,7 @@
 //! that even a command within one long step shows a line 2 s after its beginning at the latest.
 
 use indicatif::{ProgressBar, ProgressStyle};
-use pipeline::host::call_off::CallOff;
+use pipeline::host::cancellation::Cancellation;
 use pipeline::host::failure::Failure;
 use pipeline::host::progress;
 use pipeline::host::safe_text;
@@ -13,7 +13,7 @@ use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Voice {
+enum ProgressDisplay {
     Bar,
     Lines,
 }
@@ -22,29 +22,31 @@ static BAR: Mutex<Option<ProgressBar>> = Mutex::new(None);
 static IS_OVER: AtomicBool = AtomicBool::new(false);
 
 /// Interval of polling, short enough for the first line to come in time.
-const LOOK: Duration = Duration::from_millis(100);
+const POLL_INTERVAL: Duration = Duration::from_millis(100);
 
 /// Starts polling and listening to remarks; called once.
 pub(crate) fn show_progress() {
-    let voice = if std::io::stderr().is_terminal() { Voice::Bar } else { Voice::Lines };
+    let display = if std::io::stderr().is_terminal() { ProgressDisplay::Bar } else { ProgressDisplay::Lines };
     progress::listen(remark);
     // Without the thread, the command still works, but shows no progress.
-    let _ = std::thread::Builder::new().name("progress".into()).spawn(move || look_again_and_again(voice));
+    let _ = std::thread::Builder::new().name("progress".into()).spawn(move || poll_progress(display));
 }
 
-fn look_again_and_again(voice: Voice) {
+fn poll_progress(display: ProgressDisplay) {
     while !IS_OVER.load(Ordering::Relaxed) {
         let now = Instant::now();
-        match voice {
-            Voice::Bar => draw(now),
-            Voice::Lines => _ = progress::line(now).map(|text| say(safe_text::in_a_line(&text))),
+        match display {
+            ProgressDisplay::Bar => draw(now),
+            ProgressDisplay::Lines => {
+                _ = progress::line(now).map(|text| print_status(safe_text::in_a_line(&text)))
+            }
         }
-        std::thread::sleep(LOOK);
+        std::thread::sleep(POLL_INTERVAL);
     }
 }
 
 fn remark(text: &str) {
-    beside_the_bar(|| say(safe_text::in_a_line(text)));
+    beside_the_bar(|| print_status(safe_text::in_a_line(text)));
 }
 
 /// Runs a printing function without the bar in its way.
@@ -67,12 +69,12 @@ pub(crate) fn end_progress() {
 fn draw(now: Instant) {
     const AFTER: Duration = Duration::from_millis(500);
     let mut bar = locked(&BAR);
-    match progress::shown(now, AFTER).filter(|_| !IS_OVER.load(Ordering::Relaxed)) {
+    match progress::state(now, AFTER).filter(|_| !IS_OVER.load(Ordering::Relaxed)) {
         None => _ = bar.take().map(|bar| bar.finish_and_clear()),
-        Some(shown) => {
+        Some(state) => {
             let bar = bar.get_or_insert_with(empty_bar);
-            bar.set_position((SHARES * shown.share) as u64);
-            bar.set_message(safe_text::in_a_line(&shown.text).into_owned());
+            bar.set_position((SHARES * state.share) as u64);
+            bar.set_message(safe_text::in_a_line(&state.text).into_owned());
         }
     }
 }
@@ -92,7 +94,7 @@ fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 
 /// Kind of a command's results.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Results {
+pub enum ResultKind {
     /// Files: if the reader of standard output goes away (`| head`), the command continues silently to its
     /// end.
     Files,
@@ -101,29 +103,29 @@ pub enum Results {
 }
 
 /// Sets the kind of this command's results.
-pub fn expect(results: Results) {
-    GOES_ON.store(results == Results::Files, Ordering::Relaxed);
+pub fn expect(results: ResultKind) {
+    CONTINUES_UNREAD.store(results == ResultKind::Files, Ordering::Relaxed);
 }
 
-static GOES_ON: AtomicBool = AtomicBool::new(false);
-static IS_UNHEARD: AtomicBool = AtomicBool::new(false);
+static CONTINUES_UNREAD: AtomicBool = AtomicBool::new(false);
+static IS_MUTED: AtomicBool = AtomicBool::new(false);
 /// First failure of standard output, until the program ends.
 static FAILED: Mutex<Option<std::io::Error>> = Mutex::new(None);
-static CALL_OFF: LazyLock<CallOff> = LazyLock::new(CallOff::default);
+static CANCELLATION: LazyLock<Cancellation> = LazyLock::new(Cancellation::default);
 
 /// Switch that cancels work whose results can no longer be printed: the disk is full, or the reader of a
 /// command that prints lines only has gone away.
-pub fn call_off() -> CallOff {
-    CALL_OFF.clone()
+pub fn cancellation() -> Cancellation {
+    CANCELLATION.clone()
 }
 
 /// Silences the lines of results, for callers that need only a command's files and refusals.
 pub fn mute() {
-    IS_UNHEARD.store(true, Ordering::Relaxed);
+    IS_MUTED.store(true, Ordering::Relaxed);
 }
 
 /// Prints a line of results, in which no name breaks the line or moves the cursor. After a failed write
-/// nothing more is printed, the work is cancelled ([`call_off`]), and the program ends with this failure.
+/// nothing more is printed, the work is cancelled ([`cancellation`]), and the program ends with this failure.
 pub fn line(text: impl std::fmt::Display) {
     print(&safe_text::in_a_line(&text.to_string()));
 }
@@ -134,55 +136,55 @@ pub fn lines(text: &str) {
 }
 
 fn print(text: &str) {
-    if !IS_UNHEARD.load(Ordering::Relaxed) {
-        keep(beside_the_bar(|| writeln!(std::io::stdout(), "{text}")));
+    if !IS_MUTED.load(Ordering::Relaxed) {
+        record_print_result(beside_the_bar(|| writeln!(std::io::stdout(), "{text}")));
     }
 }
 
 /// Keeps a failure to print for the end of the program and cancels the work. A reader that has gone away is
 /// no failure if the results are files.
-pub(crate) fn keep(printed: std::io::Result<()>) {
+pub(crate) fn record_print_result(printed: std::io::Result<()>) {
     let Err(error) = printed else { return };
-    IS_UNHEARD.store(true, Ordering::Relaxed);
-    if error.kind() != ErrorKind::BrokenPipe || !GOES_ON.load(Ordering::Relaxed) {
+    IS_MUTED.store(true, Ordering::Relaxed);
+    if error.kind() != ErrorKind::BrokenPipe || !CONTINUES_UNREAD.load(Ordering::Relaxed) {
         locked(&FAILED).get_or_insert(error);
-        CALL_OFF.call_off();
+        CANCELLATION.cancel();
     }
 }
 
 /// Flushes standard output after work with this end. A failure to print takes the place of the end; if the
 /// reader has gone away, the work that was cancelled for it has ended well.
 pub(crate) fn finish(ended: Result<(), Failure>) -> Result<(), Failure> {
-    if ended.is_ok() && !IS_UNHEARD.load(Ordering::Relaxed) {
-        keep(std::io::stdout().flush());
+    if ended.is_ok() && !IS_MUTED.load(Ordering::Relaxed) {
+        record_print_result(std::io::stdout().flush());
     }
     match locked(&FAILED).take() {
         Some(error) if error.kind() != ErrorKind::BrokenPipe => {
             Err(Failure::System(format!("standard output: cannot write: {error}")))
         }
-        Some(_) if matches!(ended, Err(Failure::CalledOff)) => Ok(()),
+        Some(_) if matches!(ended, Err(Failure::Cancelled)) => Ok(()),
         _ => ended,
     }
 }
 
 /// Whether the last line was printed; locked while a line is printed.
-static IS_SAID: Mutex<bool> = Mutex::new(false);
+static IS_LAST_LINE_PRINTED: Mutex<bool> = Mutex::new(false);
 
 /// Prints a line for people on standard error; a failure is ignored.
-pub(crate) fn say(text: impl std::fmt::Display) {
-    say_unless(&locked(&IS_SAID), text);
+pub(crate) fn print_status(text: impl std::fmt::Display) {
+    print_status_unless(&locked(&IS_LAST_LINE_PRINTED), text);
 }
 
 /// Prints the last line before the program ends: running threads print nothing after it.
-pub(crate) fn say_last(text: impl std::fmt::Display) {
+pub(crate) fn print_last_status(text: impl std::fmt::Display) {
     end_progress();
-    let mut is_said = locked(&IS_SAID);
-    say_unless(&is_said, text);
-    *is_said = true;
+    let mut is_last_printed = locked(&IS_LAST_LINE_PRINTED);
+    print_status_unless(&is_last_printed, text);
+    *is_last_printed = true;
 }
 
-fn say_unless(is_said: &bool, text: impl std::fmt::Display) {
-    if !is_said {
+fn print_status_unless(is_last_printed: &bool, text: impl std::fmt::Display) {
+    if !is_last_printed {
         let _ = writeln!(std::io::stderr(), "{text}");
     }
 }

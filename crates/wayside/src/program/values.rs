@@ -11,6 +11,12 @@ pub(crate) struct Axis {
     pub(crate) values: Vec<f64>,
 }
 
+/// Reads the name of one of the project's own vehicles.
+pub(crate) fn vehicle_name(text: &str) -> Result<&'static str, String> {
+    let known = scene::vehicles::names().into_iter().find(|name| *name == text);
+    known.ok_or_else(|| scene::unknown_vehicle(text).to_string())
+}
+
 /// Longest axis: a table of 10⁶ values per axis is a typing error.
 const AXIS_LIMIT: usize = 1_000_000;
 
@@ -109,16 +115,16 @@ pub(crate) fn bounces(text: &str) -> Result<u8, String> {
 
 /// A place in world metres.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Place(pub(crate) [f64; 3]);
+pub(crate) struct WorldPosition(pub(crate) [f64; 3]);
 
 /// Reads a place within the range of a scene's coordinates.
-pub(crate) fn place(text: &str) -> Result<Place, String> {
+pub(crate) fn place(text: &str) -> Result<WorldPosition, String> {
     let coordinates = Numbers { allowed: -1e5..=1e5, example: "2,30,1" };
     let parts: Result<Vec<f64>, String> = text.split(',').map(|part| coordinates.part(part.trim())).collect();
     let place: Result<[f64; 3], String> = parts.and_then(|parts| {
         parts.try_into().map_err(|_| "it must be three numbers, X,Y,Z in metres".to_owned())
     });
-    place.map(Place).map_err(|refusal| coordinates.with_example(&refusal))
+    place.map(WorldPosition).map_err(|refusal| coordinates.with_example(&refusal))
 }
 
 /// Part `number` of `of`, from 1.

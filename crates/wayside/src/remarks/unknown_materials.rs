@@ -60,7 +60,7 @@ mod tests {
         let map = MaterialMap { by_name, ..MaterialMap::default() };
         let of = |names: &[&str], map: &MaterialMap| {
             let materials: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
-            let makeup = map.makeup(&materials);
+            let makeup = map.mesh_materials(&materials);
             let material_of_triangle = (0..names.len() as u16).collect();
             let mesh =
                 Mesh { name: "van.obj".into(), materials, material_of_triangle, makeup, ..Mesh::default() };

@@ -42,22 +42,22 @@ impl EarlierResults {
 
     /// Refuses to replace files that no run left here: a summary or a report of another origin, and pictures
     /// without other results of a run.
-    pub(crate) fn keep_foreign(&self) -> Result<(), Failure> {
+    pub(crate) fn refuse_foreign(&self) -> Result<(), Failure> {
         let place = |name: &str| self.out.join(name);
-        files::keep_foreign(&place(TOLD[0]), LIMIT_BYTES, summary::is_summary)?;
-        files::keep_foreign(&place(TOLD[1]), LIMIT_BYTES, report::is_report)?;
+        files::refuse_foreign(&place(TOLD[0]), LIMIT_BYTES, summary::is_summary)?;
+        files::refuse_foreign(&place(TOLD[1]), LIMIT_BYTES, report::is_report)?;
         let of_runs = self.artifacts.iter().chain(&TOLD).chain([&UNFINISHED]);
         if of_runs.into_iter().any(|name| place(name).is_file()) {
             return Ok(());
         }
-        self.pictures().iter().try_for_each(|picture| files::keep_foreign(picture, 0, |_| false))
+        self.pictures().iter().try_for_each(|picture| files::refuse_foreign(picture, 0, |_| false))
     }
 
     /// Removes the results that will be written anew, beginning with those that describe the others.
-    pub(crate) fn outdate(&self) -> Result<(), Failure> {
-        files::write_again(&self.out.join(UNFINISHED), SAID.as_bytes())?;
+    pub(crate) fn remove_outdated(&self) -> Result<(), Failure> {
+        files::overwrite(&self.out.join(UNFINISHED), SAID.as_bytes())?;
         let names = TOLD.iter().chain(&self.artifacts).map(|name| self.out.join(name));
-        files::outdate(names.chain(self.pictures()))
+        files::remove_outdated(names.chain(self.pictures()))
     }
 
     /// Removes the mark when all results are complete.
@@ -98,16 +98,18 @@ mod tests {
         std::fs::create_dir(out.path().join("pictures")).unwrap();
         std::fs::write(&picture, "mine").unwrap();
         let results = EarlierResults::in_common(out.path(), 2);
-        assert!(results.keep_foreign().unwrap_err().to_string().contains("scene-0000.png: was not written"));
-        assert!(EarlierResults::in_common(out.path(), 0).keep_foreign().is_ok(), "none of its names");
-        results.outdate().unwrap();
+        assert!(
+            results.refuse_foreign().unwrap_err().to_string().contains("scene-0000.png: was not written")
+        );
+        assert!(EarlierResults::in_common(out.path(), 0).refuse_foreign().is_ok(), "none of its names");
+        results.remove_outdated().unwrap();
         assert!(!picture.exists());
         std::fs::write(&picture, "of a run that was ended").unwrap();
-        results.keep_foreign().unwrap();
+        results.refuse_foreign().unwrap();
         results.forget_if_none();
         results.are_whole().unwrap();
-        assert!(results.keep_foreign().is_err());
-        results.outdate().unwrap();
+        assert!(results.refuse_foreign().is_err());
+        results.remove_outdated().unwrap();
         results.forget_if_none();
         assert!(results.are_whole().is_err(), "a run that failed before its first picture leaves no mark");
     }

@@ -15,7 +15,7 @@ use pipeline::chain::link::{Chain, FrameProducts, artifact_headers};
 use pipeline::chain::loading::provenance;
 use pipeline::chain::stages::Stage;
 use pipeline::host::failure::Failure;
-use reporting::pictures::radar_view::Seen;
+use reporting::pictures::radar_frame::RadarFrame;
 use reporting::pictures::{self, FrameDrawing};
 use reporting::report;
 use reporting::report::figures::Figures;
@@ -89,7 +89,7 @@ impl Products {
         truth: &FrameTruth,
         tracks: &TracksFrame,
     ) -> Result<(), Failure> {
-        self.figures.viewed.take(chain, &frame, truth, tracks)?;
+        self.figures.viewer.take(chain, &frame, truth, tracks)?;
         join_truth(truth, &mut frame);
         self.scene.write(&frame.result.scene)?;
         self.cube.write(&frame.cube)?;
@@ -116,7 +116,7 @@ impl Products {
         write(figures.on_disk())?;
         self.figures.frames.push(figures);
         let (scene, points) = (frame.result.scene.clone(), frame.result.points.clone());
-        self.figures.seen.push(Seen { view: frame.view.clone(), scene, points });
+        self.figures.radar_frames.push(RadarFrame { view: frame.view.clone(), scene, points });
         Ok(())
     }
 

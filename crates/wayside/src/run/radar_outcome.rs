@@ -7,14 +7,14 @@ use artifact::{Reader, Schema};
 use pipeline::host::failure::Failure;
 use pipeline::host::frame_matching::is_same_time;
 use pipeline::outcome::summary::Summary;
-use reporting::pictures::radar_view::Seen;
+use reporting::pictures::radar_frame::RadarFrame;
 use std::path::{Path, PathBuf};
 
 /// A finished run with one radar.
 pub struct RadarOutcome {
     pub(crate) summary: Summary,
     /// Points and scenes of the run's first frames.
-    pub(crate) seen: Vec<Seen>,
+    pub(crate) frames: Vec<RadarFrame>,
     /// Folder of the run; where a scene has several radars, its last name is the radar's.
     pub(crate) out: PathBuf,
 }
@@ -52,8 +52,8 @@ impl RadarOutcome {
     }
 
     /// Frame that begins at the given time.
-    pub(crate) fn seen_at(&self, time_s: f64) -> Option<&Seen> {
-        self.seen.iter().find(|seen| is_same_time(seen.scene.time_s, time_s))
+    pub(crate) fn frame_at(&self, time_s: f64) -> Option<&RadarFrame> {
+        self.frames.iter().find(|frame| is_same_time(frame.scene.time_s, time_s))
     }
 }
 

@@ -10,16 +10,16 @@ use artifact::points::PointsFrame;
 use artifact::scene::SceneHeader;
 use artifact::tracks::TracksFrame;
 use pipeline::chain::cache::{Cache, CacheLocation};
-use pipeline::chain::expectation::{self, Expectation, Total};
+use pipeline::chain::expectation::{self, Expectation, ExpectedTotal};
 use pipeline::chain::frames::{each_frame, resolved};
 use pipeline::chain::link::{Chain, FrameProducts};
 use pipeline::chain::loaded_model::LoadedModel;
 use pipeline::chain::loading::{self, LoadedScene, SceneSource};
 use pipeline::chain::plan::FramePlan;
 use pipeline::chain::stages::Stage;
-use pipeline::host::call_off::CallOff;
+use pipeline::host::cancellation::Cancellation;
 use pipeline::host::failure::Failure;
-use pipeline::host::files::{self, Writing};
+use pipeline::host::files::{self, FolderLock};
 use pipeline::host::memory::Allowance;
 use pipeline::host::processor_time;
 use pipeline::host::progress::{self, FrameStage, Work};
@@ -29,7 +29,7 @@ use pipeline::outcome::tracking::Tracking;
 use pipeline::planning::{self, PlannedScene};
 use reporting::console_lines;
 use reporting::report::figures::Figures;
-use reporting::report::{self, Making};
+use reporting::report::{self, ReportOrigin};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -50,11 +50,11 @@ pub struct Settings<'a> {
     /// Reports why each stage runs or not.
     pub explain: bool,
     /// Command that the report names.
-    pub making: Making,
+    pub origin: ReportOrigin,
     /// Receives each line of results.
     pub tell: &'a dyn Fn(&str),
     /// Ends the run between two frames.
-    pub call_off: CallOff,
+    pub cancellation: Cancellation,
 }
 
 impl Settings<'_> {
@@ -69,9 +69,9 @@ impl Settings<'_> {
             memory: Allowance::of(None),
             dry_run: false,
             explain: false,
-            making: Making::default(),
+            origin: ReportOrigin::default(),
             tell: &|_| {},
-            call_off: CallOff::default(),
+            cancellation: Cancellation::default(),
         }
     }
 }
@@ -135,8 +135,8 @@ impl Outcome {
         }
     }
 
-    /// Summary of the radars of a scene side by side; `None` if it has one, or one was requested.
-    pub fn side_by_side(&self) -> Option<&RadarsSummary> {
+    /// Joint summary of the radars of a scene; `None` if it has one, or one was requested.
+    pub fn radars_summary(&self) -> Option<&RadarsSummary> {
         self.of_all.as_ref()
     }
 }
@@ -185,15 +185,15 @@ fn whole(settings: &Settings) -> Result<Outcome, Failure> {
         let forget =
             |_: &Failure| above.iter().for_each(|out| EarlierResults::in_common(out, 1).forget_if_none());
         match one_radar(settings, planned, cache.as_ref(), model.as_ref(), out).inspect_err(forget)? {
-            OfRadar::Ran(outcome) => of_radars.push(*outcome),
-            OfRadar::Expected(total) => expected.push(total),
+            RadarResult::Ran(outcome) => of_radars.push(*outcome),
+            RadarResult::Expected(total) => expected.push(total),
         }
     }
-    if let Some(total) = expected.into_iter().reduce(Total::and).filter(|_| runs.len() > 1) {
+    if let Some(total) = expected.into_iter().reduce(ExpectedTotal::and).filter(|_| runs.len() > 1) {
         (settings.tell)("all radars");
         (settings.tell)(&total.line());
     }
-    let conclude = || several_radars::conclude(&of_radars, &settings.making, settings.tell);
+    let conclude = || several_radars::conclude(&of_radars, &settings.origin, settings.tell);
     let of_all = (is_of_all && !of_radars.is_empty()).then(conclude).transpose()?;
     Ok(Outcome { of_radars, of_all })
 }
@@ -214,9 +214,13 @@ fn apart<'a>(cache: Option<&Cache>, outs: impl Iterator<Item = &'a Path>) -> Res
 
 /// Begins to write into the folder of each radar and into the common one above, if there is one, and claims
 /// all of their files: results that cannot be written are reported before the first frame is computed.
-fn begin(planned: &[PlannedScene], outs: &[PathBuf], above: Option<&Path>) -> Result<Vec<Writing>, Failure> {
+fn begin(
+    planned: &[PlannedScene],
+    outs: &[PathBuf],
+    above: Option<&Path>,
+) -> Result<Vec<FolderLock>, Failure> {
     let folders = outs.iter().map(PathBuf::as_path).chain(above);
-    let writing = folders.map(Writing::into_folder).collect::<Result<Vec<_>, _>>()?;
+    let writing = folders.map(FolderLock::acquire).collect::<Result<Vec<_>, _>>()?;
     let of_radar = |(planned, out): (&PlannedScene, &PathBuf)| {
         let told = ["summary.json", "report.html"].map(|name| out.join(name));
         products::places(&planned.loaded.header, out).into_iter().chain(told)
@@ -228,9 +232,9 @@ fn begin(planned: &[PlannedScene], outs: &[PathBuf], above: Option<&Path>) -> Re
     let in_common = above.map(|out| EarlierResults::in_common(out, frames));
     let of_radar =
         |(planned, out): (&PlannedScene, &PathBuf)| EarlierResults::of_radar(&planned.loaded.header, out);
-    planned.iter().zip(outs).map(of_radar).try_for_each(|results| results.keep_foreign())?;
-    in_common.iter().try_for_each(EarlierResults::keep_foreign)?;
-    in_common.map_or(Ok(()), |results| results.outdate())?;
+    planned.iter().zip(outs).map(of_radar).try_for_each(|results| results.refuse_foreign())?;
+    in_common.iter().try_for_each(EarlierResults::refuse_foreign)?;
+    in_common.map_or(Ok(()), |results| results.remove_outdated())?;
     Ok(writing)
 }
 
@@ -253,7 +257,7 @@ impl Run {
 fn runs(settings: &Settings) -> Result<Vec<Run>, Failure> {
     let radars = match settings.scene.radar {
         Some(_) => vec![],
-        None => scene::radars(&settings.scene.file).map_err(loading::of_scene)?,
+        None => scene::radars(&settings.scene.file).map_err(loading::scene_failure)?,
     };
     if radars.is_empty() {
         return Ok(vec![Run { scene: settings.scene.clone(), out: settings.out.clone() }]);
@@ -267,11 +271,11 @@ fn runs(settings: &Settings) -> Result<Vec<Run>, Failure> {
 }
 
 /// Result of one radar.
-enum OfRadar {
+enum RadarResult {
     /// A finished run.
     Ran(Box<RadarOutcome>),
     /// Expected cost of its frames, for a dry run.
-    Expected(Total),
+    Expected(ExpectedTotal),
 }
 
 /// Runs the scene with one radar, or estimates the cost.
@@ -281,7 +285,7 @@ fn one_radar(
     cache: Option<&Cache>,
     model: Option<&LoadedModel>,
     out: &Path,
-) -> Result<OfRadar, Failure> {
+) -> Result<RadarResult, Failure> {
     let loaded = &planned.loaded;
     let chain = Chain::of(&loaded.header, cache, model, settings.memory);
     let plans = chain.plans();
@@ -295,24 +299,28 @@ fn one_radar(
         plans.iter().flat_map(FramePlan::explained).for_each(|line| (settings.tell)(&line));
     }
     if settings.dry_run {
-        let total = Total::of(&Expectation::of(&chain, cache, &plans)?, plans.len());
+        let total = ExpectedTotal::of(&Expectation::of(&chain, cache, &plans)?, plans.len());
         expectation::lines(&plans).iter().chain([&total.line()]).for_each(|line| (settings.tell)(line));
-        return Ok(OfRadar::Expected(total));
+        return Ok(RadarResult::Expected(total));
     }
     let (start, begin) = (Instant::now(), processor_time::of_process());
     let forget = |_: &Failure| EarlierResults::of_radar(&loaded.header, out).forget_if_none();
     let (computed, figures) = compute(&chain, planned, &plans, settings, out).inspect_err(forget)?;
     let processor = processor_time::of_process().zip(begin).map(|(end, begin)| end - begin);
-    let took = RunTook { seconds: start.elapsed().as_secs_f64(), processor };
+    let timings = RunTimings { seconds: start.elapsed().as_secs_f64(), processor };
     if let Some(cache) = cache {
         cache.trim();
     }
-    let summary = conclude(planned, computed, took, &figures, settings, out)?;
-    Ok(OfRadar::Ran(Box::new(RadarOutcome { summary, seen: figures.seen, out: out.to_owned() })))
+    let summary = conclude(planned, computed, timings, &figures, settings, out)?;
+    Ok(RadarResult::Ran(Box::new(RadarOutcome {
+        summary,
+        frames: figures.radar_frames,
+        out: out.to_owned(),
+    })))
 }
 
 /// Duration of all frames, to the end of the last picture.
-struct RunTook {
+struct RunTimings {
     /// Wall-clock time of all frames, s.
     seconds: f64,
     /// Processor time of all threads, s; `None` where the system does not report it.
@@ -349,17 +357,17 @@ fn compute(
         }
         resolved(chain, std::mem::take(&mut cycle))?.into_iter().try_for_each(|frame| {
             let truth = frame_truth(chain, &frame)?;
-            let (tracks, told_of_tracks) = tracking.follow(&frame, &truth)?;
+            let (tracks, told_of_tracks) = tracking.step(&frame, &truth)?;
             let (plan, told) = (planned.plan.as_ref(), (&frame.result, &truth));
             frames.push(FrameSummary::of_planned(&frame.view, plan, told, told_of_tracks));
             progress::during("artifacts and pictures", || {
-                earlier.take().map_or(Ok(()), |earlier| earlier.outdate())?;
+                earlier.take().map_or(Ok(()), |earlier| earlier.remove_outdated())?;
                 products.write(chain, frame, &truth, &tracks)
             })
         })
     };
     let stages = [FrameStage::Scattering, FrameStage::Echo, FrameStage::Detection];
-    each_frame(chain, (plans, &stages), &settings.call_off, frame_of, write)?;
+    each_frame(chain, (plans, &stages), &settings.cancellation, frame_of, write)?;
     Ok((Computed { frames, metrics: tracking.metrics() }, products.finish()?))
 }
 
@@ -376,20 +384,20 @@ fn with_scene(mut frame: FrameProducts, loaded: &LoadedScene) -> FrameProducts {
 fn conclude(
     planned: &PlannedScene,
     computed: Computed,
-    took: RunTook,
+    timings: RunTimings,
     figures: &Figures,
     settings: &Settings,
     out: &Path,
 ) -> Result<Summary, Failure> {
     let _under_way = Work::begin("summary and report");
     let summary = Summary {
-        frames_seconds: took.seconds,
-        frames_processor_seconds: took.processor,
+        frames_seconds: timings.seconds,
+        frames_processor_seconds: timings.processor,
         plan: planned.plan.clone(),
         ..Summary::of(&planned.loaded.header, computed.frames, computed.metrics)
     };
     files::write_file(&out.join("summary.json"), summary.json()?.as_bytes())?;
-    report::write(&summary, figures, &settings.making, out)?;
+    report::write(&summary, figures, &settings.origin, out)?;
     EarlierResults::of_radar(&planned.loaded.header, out).are_whole()?;
     let frames = planned.loaded.header.frames;
     leftovers::remark(out, &figures.artifacts, |_, number| number < frames);

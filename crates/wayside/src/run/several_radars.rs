@@ -7,11 +7,11 @@ use crate::run::radar_outcome::RadarOutcome;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::outcome::summary::{RadarsSummary, common_times_s};
-use plotting::form::Figure;
+use plotting::layout::Figure;
 use reporting::console_lines;
 use reporting::pictures;
 use reporting::pictures::common_view;
-use reporting::report::{self, FRAMES_DRAWN, Making};
+use reporting::report::{self, FRAMES_DRAWN, ReportOrigin};
 use std::path::{Path, PathBuf};
 
 /// Folder of the radars' common results, above those of the radars.
@@ -48,7 +48,7 @@ fn picture(out: &Path, number: usize) -> PathBuf {
 /// Writes the common results, one folder above those of the radars, and prints them.
 pub(crate) fn conclude(
     radars: &[RadarOutcome],
-    making: &Making,
+    origin: &ReportOrigin,
     tell: &dyn Fn(&str),
 ) -> Result<RadarsSummary, Failure> {
     let out = above(&radars[0].out);
@@ -59,7 +59,7 @@ pub(crate) fn conclude(
         pictures::write_png(&picture(out, number), &view.wide)?;
     }
     files::write_file(&out.join("summary.json"), summary.json()?.as_bytes())?;
-    report::write_several(&summary, &by_id, &views, making, out)?;
+    report::write_several(&summary, &by_id, &views, origin, out)?;
     EarlierResults::in_common(out, views.len() as u32).are_whole()?;
     leftovers::remark(out, &[], |kind, number| kind == "scene" && (number as usize) < views.len());
     console_lines::lines_of_radars(&summary).iter().for_each(|line| tell(line));
@@ -69,11 +69,11 @@ pub(crate) fn conclude(
 
 /// Views from above of the first common frames, as long as every radar has a frame beginning then.
 fn views(radars: &[RadarOutcome]) -> Vec<Figure> {
-    let times_s = |radar: &RadarOutcome| radar.seen.iter().map(|seen| seen.scene.time_s).collect();
+    let times_s = |radar: &RadarOutcome| radar.frames.iter().map(|frame| frame.scene.time_s).collect();
     let times_s: Vec<Vec<f64>> = radars.iter().map(times_s).collect();
     let view = |(number, time_s): (usize, f64)| {
         let all: Vec<_> =
-            radars.iter().filter_map(|radar| Some((radar.id(), radar.seen_at(time_s)?))).collect();
+            radars.iter().filter_map(|radar| Some((radar.id(), radar.frame_at(time_s)?))).collect();
         common_view(number, &all)
     };
     common_times_s(&times_s).into_iter().enumerate().map(view).collect()

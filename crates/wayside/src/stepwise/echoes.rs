@@ -1,8 +1,8 @@
 //! Radar cubes of a scene.
 
+use crate::stepwise::complete_artifact::CompleteArtifact;
 use crate::stepwise::opened_scene::OpenedScene;
 use crate::stepwise::paths_of_scene;
-use crate::stepwise::recorded::Recorded;
 use artifact::cube::{Cube, CubeFrame};
 use artifact::paths::Paths;
 use pipeline::chain::frame_result::Scattering;
@@ -10,7 +10,7 @@ use pipeline::chain::frames::each_frame;
 use pipeline::chain::link::Chain;
 use pipeline::chain::plan::FramePlan;
 use pipeline::chain::stages::Stage;
-use pipeline::host::call_off::CallOff;
+use pipeline::host::cancellation::Cancellation;
 use pipeline::host::failure::Failure;
 use pipeline::host::progress::{FrameStage, Work};
 
@@ -19,7 +19,7 @@ use pipeline::host::progress::{FrameStage, Work};
 ///
 /// # Errors
 /// Those of tracing; an echo that cannot be summed; the call was cancelled between two frames.
-pub fn echoes(scene: &OpenedScene, call_off: &CallOff) -> Result<Recorded<Cube>, Failure> {
+pub fn echoes(scene: &OpenedScene, cancellation: &Cancellation) -> Result<CompleteArtifact<Cube>, Failure> {
     let (chain, mut frames) = (scene.chain(), Vec::new());
     let echo = |plan: &FramePlan| {
         let scattering = chain.scattering(plan)?;
@@ -30,7 +30,7 @@ pub fn echoes(scene: &OpenedScene, call_off: &CallOff) -> Result<Recorded<Cube>,
         Ok(())
     };
     let stages = [FrameStage::Scattering, FrameStage::Echo];
-    each_frame(&chain, (&chain.plans(), &stages), call_off, echo, keep)?;
+    each_frame(&chain, (&chain.plans(), &stages), cancellation, echo, keep)?;
     Ok(recorded(scene, &chain, frames))
 }
 
@@ -41,15 +41,15 @@ pub fn echoes(scene: &OpenedScene, call_off: &CallOff) -> Result<Recorded<Cube>,
 /// the call was cancelled between two frames.
 pub fn echoes_of_paths(
     scene: &OpenedScene,
-    paths: &Recorded<Paths>,
-    call_off: &CallOff,
-) -> Result<Recorded<Cube>, Failure> {
+    paths: &CompleteArtifact<Paths>,
+    cancellation: &Cancellation,
+) -> Result<CompleteArtifact<Cube>, Failure> {
     let scene = &scene.by_paths();
     let chain = scene.chain();
     paths_of_scene::check_header(&chain, (scene.files(), scene.said()), &paths.header, &paths.from)?;
     let (work, mut frames) = (Work::in_stages("frames", &[FrameStage::Echo]), Vec::new());
     for (done, frame) in paths.frames.iter().enumerate() {
-        call_off.check()?;
+        cancellation.check()?;
         work.at(done, paths.frames.len());
         let snapshot = paths_of_scene::check_frame(scene.header(), frame)?;
         frames.push(chain.synthesize(&snapshot, &Scattering::Paths(frame.clone()))?);
@@ -57,6 +57,6 @@ pub fn echoes_of_paths(
     Ok(recorded(scene, &chain, frames))
 }
 
-fn recorded(scene: &OpenedScene, chain: &Chain, frames: Vec<CubeFrame>) -> Recorded<Cube> {
-    Recorded { from: scene.provenance(Stage::FmcwEcho), header: chain.cube_header().clone(), frames }
+fn recorded(scene: &OpenedScene, chain: &Chain, frames: Vec<CubeFrame>) -> CompleteArtifact<Cube> {
+    CompleteArtifact { from: scene.provenance(Stage::FmcwEcho), header: chain.cube_header().clone(), frames }
 }

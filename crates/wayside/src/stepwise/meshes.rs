@@ -26,7 +26,7 @@ pub fn mesh(place: &Path, unit_scale: Option<f64>) -> Result<Mesh, Failure> {
     if let Some(name) = name.filter(|_| place.extension().is_none() && place.components().count() == 1) {
         return Err(Failure::Refused(scene::unknown_vehicle(name).to_string()));
     }
-    scene::read_mesh(place, &scene::MeshOptions { unit_scale }).map_err(loading::of_mesh)
+    scene::read_mesh(place, &scene::MeshOptions { unit_scale }).map_err(loading::mesh_failure)
 }
 
 /// The mesh with the materials of a map and, if it was read from an OpenMATERIAL 3D asset, with those of the
@@ -41,8 +41,8 @@ pub(crate) fn dressed(
     frequency_hz: &[f64],
 ) -> Result<Mesh, Failure> {
     let map = scene::asset_materials(place, &mesh.materials, map, middle_hz(frequency_hz))
-        .map_err(loading::of_asset)?;
-    Ok(Mesh { makeup: map.makeup(&mesh.materials), ..mesh })
+        .map_err(loading::asset_failure)?;
+    Ok(Mesh { makeup: map.mesh_materials(&mesh.materials), ..mesh })
 }
 
 /// Reads a file of materials, those of OpenMATERIAL 3D at the middle of the frequencies, or none; and sets
@@ -56,7 +56,7 @@ pub(crate) fn materials(
     frequency_hz: &[f64],
 ) -> Result<MaterialMap, Failure> {
     let read = file.map(|file| scene::read_materials(file, middle_hz(frequency_hz))).transpose();
-    Ok(MaterialMap { transmission, ..read.map_err(loading::of_scene)?.unwrap_or_default() })
+    Ok(MaterialMap { transmission, ..read.map_err(loading::scene_failure)?.unwrap_or_default() })
 }
 
 /// The middle between the lowest and the highest frequency, at which materials are evaluated.

@@ -12,14 +12,14 @@ use pipeline::host::failure::Failure;
 use pipeline::host::memory::Allowance;
 use pipeline::outcome::summary::RadarSummary;
 use pipeline::planning::{self, PlannedScene};
-use scene::SaidPhysics;
+use scene::PhysicsKeys;
 
 /// Ids of the radars of a scene; empty if it has one.
 ///
 /// # Errors
 /// The scene file cannot be read.
 pub fn radars(source: &SceneSource) -> Result<Vec<String>, Failure> {
-    scene::radars(&source.file).map_err(loading::of_scene)
+    scene::radars(&source.file).map_err(loading::scene_failure)
 }
 
 /// Names and hashes of all files of a scene, the scene file first.
@@ -28,8 +28,8 @@ pub fn radars(source: &SceneSource) -> Result<Vec<String>, Failure> {
 /// A file cannot be read.
 pub fn inputs(source: &SceneSource) -> Result<Vec<(String, String)>, Failure> {
     let (model, radar) = (source.model.clone(), source.radar.clone());
-    let options = scene::ReadOptions { model, radar, meshes: scene::Meshes::Whole };
-    loading::hashed(&scene::inputs(&source.file, &options).map_err(loading::of_scene)?)
+    let options = scene::ReadOptions { model, radar, meshes: scene::MeshLoading::Whole };
+    loading::hashes(&scene::inputs(&source.file, &options).map_err(loading::scene_failure)?)
 }
 
 /// A scene in memory, with its meshes.
@@ -37,7 +37,7 @@ pub struct OpenedScene {
     loaded: LoadedScene,
     memory: Allowance,
     is_looked_at: bool,
-    said: SaidPhysics,
+    said: PhysicsKeys,
 }
 
 /// Expected time and memory of all frames of a scene, as printed by `run --dry-run`.
@@ -123,7 +123,7 @@ impl OpenedScene {
     }
 
     /// Physics that its file specifies.
-    pub(crate) fn said(&self) -> &SaidPhysics {
+    pub(crate) fn said(&self) -> &PhysicsKeys {
         &self.said
     }
 

@@ -14,7 +14,7 @@ use pipeline::chain::link::{Chain, artifact_headers};
 use pipeline::host::failure::Failure;
 use pipeline::host::frame_matching::is_same_time;
 use pipeline::host::{progress, provenance_checks};
-use scene::SaidPhysics;
+use scene::PhysicsKeys;
 use std::path::Path;
 
 /// Distance beyond its extent at which a point's or body's surface counts as elsewhere, m: the part of a
@@ -25,7 +25,7 @@ const BEYOND_M: f64 = 0.5;
 /// contradict `said`; of `files`, the scene file itself may differ, for example in its noise.
 pub(crate) fn check_header(
     chain: &Chain,
-    (files, said): (&[(String, String)], &SaidPhysics),
+    (files, said): (&[(String, String)], &PhysicsKeys),
     paths: &PathsHeader,
     from: &Provenance,
 ) -> Result<(), Failure> {

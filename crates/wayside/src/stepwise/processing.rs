@@ -9,10 +9,10 @@ use artifact::tracks::{TracksFrame, TracksHeader};
 use dsp::{ROAD_TRAFFIC, Receiver, Tracker, has_noise};
 use pipeline::chain::loaded_model::LoadedModel;
 use pipeline::chain::stages::Stage;
-use pipeline::host::call_off::CallOff;
+use pipeline::host::cancellation::Cancellation;
 use pipeline::host::failure::Failure;
 use pipeline::host::progress;
-use radar::lattice::tells_azimuth;
+use radar::lattice::resolves_azimuth;
 use reporting::console_lines::{WITHOUT_AZIMUTH, WITHOUT_NOISE, without_height};
 
 /// Processing of the cubes of one radar, from the cubes alone.
@@ -26,11 +26,11 @@ const WITHOUT_SAMPLES: &str = "refine = \"on\" in [dsp] refines points on the sa
                                do not have: detect on maps of the cube";
 
 /// Answer of a classifier about an object.
-pub struct Answered {
+pub struct Classification {
     /// Probabilities of the classes, in the order of [`Processing::class_names`].
     pub probabilities: [f32; 4],
     /// Name of the predicted class, or "unknown".
-    pub told: &'static str,
+    pub class_name: &'static str,
 }
 
 impl Processing {
@@ -78,36 +78,40 @@ impl Processing {
     /// Range-Doppler maps of all frames, with the cells that the detector tested and found.
     ///
     /// # Errors
-    /// Samples that are not the radar's; called off between two frames.
-    pub fn maps(&self, cubes: &[CubeFrame], call_off: &CallOff) -> Result<Vec<RdmFrame>, Failure> {
-        each(cubes.iter(), call_off, |cube| self.receiver.range_doppler(cube).map_err(Failure::refused))
+    /// Samples that are not the radar's; cancelled between two frames.
+    pub fn maps(&self, cubes: &[CubeFrame], cancellation: &Cancellation) -> Result<Vec<RdmFrame>, Failure> {
+        each(cubes.iter(), cancellation, |cube| self.receiver.range_doppler(cube).map_err(Failure::refused))
     }
 
     /// Points and objects of all frames, the velocities of sub-frames resolved by each other.
     ///
     /// # Errors
-    /// Maps and cubes that are not the radar's; called off between two frames.
+    /// Maps and cubes that are not the radar's; cancelled between two frames.
     pub fn points(
         &self,
         maps: &[RdmFrame],
         cubes: &[CubeFrame],
-        call_off: &CallOff,
+        cancellation: &Cancellation,
     ) -> Result<Vec<PointsFrame>, Failure> {
         let detect = |(map, cube)| self.receiver.detect_refined(map, cube).map_err(Failure::refused);
-        Ok(self.resolved(&each(maps.iter().zip(cubes), call_off, detect)?))
+        Ok(self.resolved(&each(maps.iter().zip(cubes), cancellation, detect)?))
     }
 
     /// Points and objects of maps without their samples, as [`Self::points`] finds them.
     ///
     /// # Errors
-    /// Settings that refine points on the samples; maps that are not the radar's; called off between two
+    /// Settings that refine points on the samples; maps that are not the radar's; cancelled between two
     /// frames.
-    pub fn points_of_maps(&self, maps: &[RdmFrame], call_off: &CallOff) -> Result<Vec<PointsFrame>, Failure> {
+    pub fn points_of_maps(
+        &self,
+        maps: &[RdmFrame],
+        cancellation: &Cancellation,
+    ) -> Result<Vec<PointsFrame>, Failure> {
         if self.header.dsp.refine == Refine::Isolated {
             return Err(Failure::refused(WITHOUT_SAMPLES));
         }
         let detect = |map| self.receiver.detect(map).map_err(Failure::refused);
-        Ok(self.resolved(&each(maps.iter(), call_off, detect)?))
+        Ok(self.resolved(&each(maps.iter(), cancellation, detect)?))
     }
 
     /// Points with the velocities of sub-frames resolved by each other, cycle by cycle.
@@ -119,7 +123,7 @@ impl Processing {
     /// Sentences about missing properties of points, as printed by `dsp` and `run`: noise, azimuths, heights.
     pub fn remarks(&self, points: &[PointsFrame]) -> Vec<String> {
         let noise = (!has_noise(&self.header)).then(|| WITHOUT_NOISE.to_owned());
-        let azimuths = (!tells_azimuth(&self.header.radar)).then(|| WITHOUT_AZIMUTH.to_owned());
+        let azimuths = (!resolves_azimuth(&self.header.radar)).then(|| WITHOUT_AZIMUTH.to_owned());
         let without = points.iter().map(PointsFrame::points_without_height).sum();
         let heights = without_height([without, points.iter().map(|frame| frame.points.len()).sum()]);
         noise.into_iter().chain(azimuths).chain(heights).collect()
@@ -128,25 +132,29 @@ impl Processing {
     /// Objects followed over the frames.
     ///
     /// # Errors
-    /// Settings that nothing can be followed by; called off between two frames.
-    pub fn tracks(&self, points: &[PointsFrame], call_off: &CallOff) -> Result<Vec<TracksFrame>, Failure> {
+    /// Settings that nothing can be followed by; cancelled between two frames.
+    pub fn tracks(
+        &self,
+        points: &[PointsFrame],
+        cancellation: &Cancellation,
+    ) -> Result<Vec<TracksFrame>, Failure> {
         let mut tracker = Tracker::new(&self.header, ROAD_TRAFFIC).map_err(Failure::refused)?;
-        each(points.iter(), call_off, |frame| tracker.step(frame).map_err(Failure::refused))
+        each(points.iter(), cancellation, |frame| tracker.step(frame).map_err(Failure::refused))
     }
 
     /// Classes of the objects of all frames, each with its index, objects in their order.
     ///
     /// # Errors
-    /// A model that cannot answer about these maps; called off between two frames.
+    /// A model that cannot answer about these maps; cancelled between two frames.
     pub fn classes(
         &self,
         model: &LoadedModel,
         maps: &[RdmFrame],
         points: &[PointsFrame],
-        call_off: &CallOff,
-    ) -> Result<Vec<(u32, Vec<Answered>)>, Failure> {
+        cancellation: &Cancellation,
+    ) -> Result<Vec<(u32, Vec<Classification>)>, Failure> {
         let pairs = maps.iter().zip(points);
-        each(pairs, call_off, |(map, frame)| Ok((frame.index, self.classes_in(model, map, frame)?)))
+        each(pairs, cancellation, |(map, frame)| Ok((frame.index, self.classes_in(model, map, frame)?)))
     }
 
     fn classes_in(
@@ -154,10 +162,12 @@ impl Processing {
         model: &LoadedModel,
         map: &RdmFrame,
         points: &PointsFrame,
-    ) -> Result<Vec<Answered>, Failure> {
+    ) -> Result<Vec<Classification>, Failure> {
         let rule = model.rule();
-        let answered =
-            |probabilities: [f32; 4]| Answered { told: rule.told(&probabilities).name(), probabilities };
+        let answered = |probabilities: [f32; 4]| Classification {
+            class_name: rule.predict(&probabilities).name(),
+            probabilities,
+        };
         Ok(model.classify(&self.receiver, map, points)?.into_iter().map(answered).collect())
     }
 
@@ -171,11 +181,11 @@ impl Processing {
 /// off.
 fn each<F, T>(
     frames: impl ExactSizeIterator<Item = F>,
-    call_off: &CallOff,
+    cancellation: &Cancellation,
     mut make: impl FnMut(F) -> Result<T, Failure>,
 ) -> Result<Vec<T>, Failure> {
     let of = frames.len();
-    let make = |frame| call_off.check().and_then(|()| make(frame));
+    let make = |frame| cancellation.check().and_then(|()| make(frame));
     progress::counted("frames", frames, of).map(make).collect()
 }
 
@@ -186,23 +196,23 @@ mod tests {
 
     #[test]
     fn no_frame_is_begun_once_the_work_was_called_off() {
-        let (call_off, mut begun) = (CallOff::default(), vec![]);
-        let made = each([3, 4, 5, 6].iter(), &call_off, |frame| {
+        let (cancellation, mut begun) = (Cancellation::default(), vec![]);
+        let made = each([3, 4, 5, 6].iter(), &cancellation, |frame| {
             begun.push(*frame);
             if *frame == 4 {
-                call_off.call_off();
+                cancellation.cancel();
             }
             Ok(())
         });
-        assert!(matches!(made, Err(Failure::CalledOff)));
+        assert!(matches!(made, Err(Failure::Cancelled)));
         assert_eq!(begun, [3, 4]);
     }
 
     #[test]
     fn frames_are_told_of_as_they_are_begun() {
-        let caller = progress::Caller::another();
-        let share = || progress::shown_to(caller, Instant::now(), Duration::ZERO).map(|shown| shown.share);
-        let shares = caller.during(|| each([0; 4].iter(), &CallOff::default(), |_| Ok(share())));
+        let caller = progress::Caller::new();
+        let share = || progress::state_for(caller, Instant::now(), Duration::ZERO).map(|state| state.share);
+        let shares = caller.during(|| each([0; 4].iter(), &Cancellation::default(), |_| Ok(share())));
         assert_eq!(shares.unwrap(), [Some(0.0), Some(0.25), Some(0.5), Some(0.75)]);
     }
 }

@@ -1,7 +1,7 @@
 //! IF samples of other sources as radar cubes.
 
+use crate::stepwise::complete_artifact::CompleteArtifact;
 use crate::stepwise::opened_scene::OpenedScene;
-use crate::stepwise::recorded::Recorded;
 use artifact::ErrorBudget;
 use artifact::cube::{Cube, CubeFrame, CubeHeader, SampleUnit};
 use artifact::radar::Sampling;
@@ -20,7 +20,7 @@ pub fn cubes_of_samples(
     shape: [usize; 4],
     samples: &[Complex32],
     full_scale: Option<f64>,
-) -> Result<Recorded<Cube>, Failure> {
+) -> Result<CompleteArtifact<Cube>, Failure> {
     if full_scale.is_some_and(|steps| !(steps > 0.0 && steps.is_finite())) {
         return Err(Failure::refused("full_scale must be a number of steps above 0"));
     }
@@ -43,7 +43,7 @@ pub fn cubes_of_samples(
         Ok(CubeFrame { index, time_s, samples, error: ErrorBudget::default() })
     };
     let frames = samples.chunks(length).enumerate().map(frame).collect::<Result<_, Failure>>()?;
-    Ok(Recorded { from: scene.provenance(Stage::FmcwEcho), header, frames })
+    Ok(CompleteArtifact { from: scene.provenance(Stage::FmcwEcho), header, frames })
 }
 
 /// Unit of non-integer samples: steps of a converter if its full scale is given; steps of an unknown

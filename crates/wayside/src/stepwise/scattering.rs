@@ -1,13 +1,13 @@
 //! Paths of a scene.
 
+use crate::stepwise::complete_artifact::CompleteArtifact;
 use crate::stepwise::opened_scene::OpenedScene;
-use crate::stepwise::recorded::Recorded;
 use artifact::paths::Paths;
 use pipeline::chain::frame_result::Scattering;
 use pipeline::chain::frames::each_frame;
 use pipeline::chain::link::artifact_headers;
 use pipeline::chain::stages::Stage;
-use pipeline::host::call_off::CallOff;
+use pipeline::host::cancellation::Cancellation;
 use pipeline::host::failure::Failure;
 use pipeline::host::progress::FrameStage;
 
@@ -15,7 +15,7 @@ use pipeline::host::progress::FrameStage;
 ///
 /// # Errors
 /// A body that cannot be traced, insufficient memory; the call was cancelled between two frames.
-pub fn paths(scene: &OpenedScene, call_off: &CallOff) -> Result<Recorded<Paths>, Failure> {
+pub fn paths(scene: &OpenedScene, cancellation: &Cancellation) -> Result<CompleteArtifact<Paths>, Failure> {
     let scene = &scene.by_paths();
     let (chain, mut frames) = (scene.chain(), Vec::new());
     let keep = |scattering: Scattering| {
@@ -25,8 +25,8 @@ pub fn paths(scene: &OpenedScene, call_off: &CallOff) -> Result<Recorded<Paths>,
         Ok(())
     };
     let stages = [FrameStage::Scattering];
-    each_frame(&chain, (&chain.plans(), &stages), call_off, |plan| chain.scattering(plan), keep)?;
-    Ok(Recorded {
+    each_frame(&chain, (&chain.plans(), &stages), cancellation, |plan| chain.scattering(plan), keep)?;
+    Ok(CompleteArtifact {
         from: scene.provenance(Stage::BartRcs),
         header: artifact_headers::paths_header(chain.header),
         frames,

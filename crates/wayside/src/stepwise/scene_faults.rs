@@ -1,7 +1,7 @@
 //! Faults of a scene, rule by rule, for callers that do not show them as lines.
 
 use pipeline::chain::loading::SceneSource;
-use scene::{Meshes, Place, ReadOptions, SceneError};
+use scene::{MeshLoading, Place, ReadOptions, SceneError};
 use std::collections::BTreeSet;
 
 /// A broken rule of a scene and its place.
@@ -17,7 +17,7 @@ pub struct SceneFault {
 /// All faults of a scene file and of the files that it names; empty for a valid scene.
 pub fn scene_faults(source: &SceneSource) -> Vec<SceneFault> {
     let (model, radar) = (source.model.clone(), source.radar.clone());
-    let options = ReadOptions { model, radar, meshes: Meshes::Whole };
+    let options = ReadOptions { model, radar, meshes: MeshLoading::Whole };
     scene::read(&source.file, &options).err().into_iter().flat_map(|errors| errors.0).map(fault).collect()
 }
 

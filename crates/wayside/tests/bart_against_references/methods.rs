@@ -73,7 +73,7 @@ pub(crate) fn sbr(
     bounces: u8,
 ) -> Run {
     let shooting =
-        po_sbr::sbr::Shooting { per_wavelength, bounces, sides: Sides::Two, bracket: Bracket::Plain };
+        po_sbr::sbr::RaySettings { per_wavelength, bounces, sides: Sides::Two, bracket: Bracket::Plain };
     let start_s = processor_seconds().unwrap_or(f64::NAN);
     let found = po_sbr::sbr::amplitude(mesh, &Aspect::monostatic(place), frequencies_hz, &shooting).unwrap();
     let name = format!("sbr, {per_wavelength} rays per λ ({:.2} million)", found.rays as f64 * 1e-6);

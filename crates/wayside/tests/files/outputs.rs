@@ -413,11 +413,11 @@ fn a_scene_that_was_edited_since_it_was_made_is_not_made_anew() {
 #[test]
 fn a_model_of_another_program_is_not_replaced_by_a_vehicle() {
     let place = Workplace::new();
-    place.run("vehicles --quiet --out v");
+    place.run("vehicles car-suv car-hatchback --quiet --out v");
     let own = String::from_utf8_lossy(&place.bytes("v/car-suv.glb")).replacen("wayside", "blender", 1);
     std::fs::write(place.path("v/car-suv.glb"), &own).unwrap();
     let [before, manifest] = ["v/car-hatchback.glb", "v/manifest.json"].map(|name| place.bytes(name));
-    let words = "vehicles --seed 2 --quiet --out v";
+    let words = "vehicles car-suv car-hatchback --seed 2 --quiet --out v";
     refused(&place.try_run(words), "car-suv.glb: was not written by this program", words);
     assert_eq!([place.bytes("v/car-hatchback.glb"), place.bytes("v/manifest.json")], [before, manifest]);
     assert_eq!(place.bytes("v/car-suv.glb"), own.as_bytes());
@@ -479,10 +479,9 @@ fn a_study_replaces_results_of_studies_alone() {
 fn a_folder_that_another_run_fills_is_refused() {
     let place = Workplace::new();
     place.run("run small.toml --out a --no-cache --quiet");
-    place.run("vehicles --quiet --out v");
-    for (folder, words) in
-        [("a", "run small.toml --out a --no-cache --quiet"), ("v", "vehicles --quiet --out v")]
-    {
+    let vehicles = "vehicles car-suv --quiet --out v";
+    place.run(vehicles);
+    for (folder, words) in [("a", "run small.toml --out a --no-cache --quiet"), ("v", vehicles)] {
         let lock = std::fs::File::open(place.path(folder)).unwrap();
         lock.lock().unwrap();
         refused(&place.try_run(words), &format!("{folder}: is being written by another run"), words);
@@ -498,7 +497,7 @@ fn a_command_that_is_killed_leaves_none_of_its_results_beside_those_of_an_earlie
     place.run("run small.toml --out a --no-cache --quiet");
     std::fs::copy(place.path("a/frames.cube"), place.path("frames.cube")).unwrap();
     place.run("dsp frames.cube --quiet --out d");
-    place.run("vehicles --quiet --out v");
+    place.run("vehicles car-suv bus-city --quiet --out v");
     let largest = |folder: &str| {
         let sizes = std::fs::read_dir(place.path(folder)).unwrap().map(|e| e.unwrap().metadata().unwrap());
         sizes.filter(std::fs::Metadata::is_file).map(|about| about.len()).max().unwrap()
@@ -510,7 +509,7 @@ fn a_command_that_is_killed_leaves_none_of_its_results_beside_those_of_an_earlie
             &["summary.json", "report.html", "frames.cube", "frames.points", "pictures/scene-0001.png"][..],
             "a",
         ),
-        ("vehicles --seed 9 --quiet --out v", largest("v"), &["manifest.json"], "v"),
+        ("vehicles car-suv bus-city --seed 9 --quiet --out v", largest("v"), &["manifest.json"], "v"),
         ("dsp frames.cube --quiet --out d", largest("d"), &["frames.rdm", "frames.points"], "d"),
     ] {
         let kib = largest / 1024 - 1;
@@ -528,16 +527,32 @@ fn vehicles_are_not_written_where_a_manifest_of_another_program_lies() {
     std::fs::create_dir(place.path("v")).unwrap();
     for foreign in ["{\"name\": \"my page\"}", "[]", "[{\"name\": \"a\"}]", "no JSON"] {
         std::fs::write(place.path("v/manifest.json"), foreign).unwrap();
-        let output = place.try_run("vehicles --quiet --out v");
+        let output = place.try_run("vehicles car-suv --quiet --out v");
         refused(&output, "manifest.json: was not written by this program", foreign);
         assert_eq!(place.bytes("v/manifest.json"), foreign.as_bytes());
         assert_eq!(std::fs::read_dir(place.path("v")).unwrap().count(), 1, "refused before the work");
     }
     std::fs::remove_file(place.path("v/manifest.json")).unwrap();
-    place.run("vehicles --quiet --out v");
+    place.run("vehicles car-suv --quiet --out v");
     let manifest = place.bytes("v/manifest.json");
-    place.run("vehicles --quiet --out v");
+    place.run("vehicles car-suv --quiet --out v");
     assert_eq!(place.bytes("v/manifest.json"), manifest, "its own is replaced");
+}
+
+#[test]
+fn named_vehicles_are_written_alone_and_an_unknown_name_gets_the_nearest() {
+    let place = Workplace::new();
+    place.run("vehicles car-suv bus-city --quiet --out v");
+    let names = ["bus-city.glb", "car-suv.glb", "manifest.json"];
+    let mut written: Vec<String> = std::fs::read_dir(place.path("v"))
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    written.sort();
+    assert_eq!(written, names);
+    let output = place.try_run("vehicles car-suvv --quiet --out w");
+    refused(&output, "car-suv", "a misspelt name");
+    assert!(!place.path("w").exists());
 }
 
 #[test]

@@ -3,7 +3,7 @@
 
 use crate::bench::cases::timing::{FULL, Sizes, timed};
 use crate::bench::comparison::Comparison;
-use crate::bench::programs::{Job, Language, complex};
+use crate::bench::programs::{Job, RivalProgram, complex};
 use crate::study::scenes::scene_of;
 use artifact::paths::{Amplitude, Path};
 use artifact::{Accuracy, Radar};
@@ -23,7 +23,7 @@ pub(super) fn all(sizes: Sizes) -> Result<Vec<Comparison>, Failure> {
     let centre_hz = radar.waveform.centre_frequency_hz();
     let (cube, ours_s) =
         timed(|| Ok(fast_sum::cube(&radar, centre_hz, &paths, Accuracy::from_db(ACCURACY_DB))))?;
-    let made = Made { radar: &radar, paths: &paths, cube: &cube, ours_s };
+    let made = SynthesizedCube { radar: &radar, paths: &paths, cube: &cube, ours_s };
     Ok(vec![
         recurrence(&alone, if sizes == FULL { 20_000 } else { 500 })?,
         made.against_direct_sum()?,
@@ -57,14 +57,14 @@ fn difference(ours: &[Complex64], theirs: &[Complex64]) -> f64 {
 }
 
 /// The cube by transforms.
-struct Made<'a> {
+struct SynthesizedCube<'a> {
     radar: &'a Radar,
     paths: &'a [Path],
     cube: &'a [Complex64],
     ours_s: f64,
 }
 
-impl Made<'_> {
+impl SynthesizedCube<'_> {
     fn work(&self) -> String {
         let [chirps, samples] = [self.radar.waveform.chirps, self.radar.waveform.samples];
         let channels = self.radar.virtual_channels();
@@ -93,7 +93,7 @@ impl Made<'_> {
         let [chirps, samples] = [self.radar.waveform.chirps, self.radar.waveform.samples];
         let job = Job { name: "tones", input: self.tones() };
         let numbers = [self.paths.len(), self.radar.virtual_channels(), chirps as usize, samples as usize];
-        let answer = job.given_to(Language::Python("finufft"), &numbers.map(|n| n.to_string()))?;
+        let answer = job.run_with(RivalProgram::Python("finufft"), &numbers.map(|n| n.to_string()))?;
         let error = answer.as_ref().ok().map(|answer| difference(self.cube, &complex(&answer.result)));
         Ok(Comparison {
             name: "echo, by transforms, beside tones that stand still".into(),

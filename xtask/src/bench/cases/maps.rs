@@ -2,7 +2,7 @@
 
 use crate::bench::cases::timing::{Sizes, quickest};
 use crate::bench::comparison::Comparison;
-use crate::bench::programs::{Answer, Job, Language, NotHere, complex};
+use crate::bench::programs::{Job, MissingProgram, RivalOutput, RivalProgram, complex};
 use crate::study::scenes::{cube_header, scene_of};
 use artifact::cube::{CubeFrame, CubeHeader};
 use artifact::paths::PathsFrame;
@@ -24,7 +24,7 @@ const CELLS: usize = 1000;
 /// Range for the near field's curvature, m: so far away that the curvature is negligible.
 const RANGE_M: f64 = 1e4;
 
-const MMWCORE: Language = Language::Example("dsp", "rivals", "mmwcore");
+const MMWCORE: RivalProgram = RivalProgram::Example("dsp", "rivals", "mmwcore");
 
 pub(super) fn all(sizes: Sizes) -> Result<Vec<Comparison>, Failure> {
     let noise = noise()?;
@@ -35,14 +35,14 @@ pub(super) fn all(sizes: Sizes) -> Result<Vec<Comparison>, Failure> {
 }
 
 /// A frame without echoes, and its map.
-struct Noise {
+struct NoiseFrame {
     header: CubeHeader,
     receiver: dsp::Receiver,
     frame: CubeFrame,
     map: RdmFrame,
 }
 
-fn noise() -> Result<Noise, Failure> {
+fn noise() -> Result<NoiseFrame, Failure> {
     let mut header = cube_header(&scene_of("[noise]\nnoise_figure_db = 12.0\n")?);
     (header.dsp.guard_cells, header.dsp.training_cells) = ([GUARD; 2], [TRAINING; 2]);
     header.dsp.false_alarm_rate = FALSE_ALARM_RATE;
@@ -52,17 +52,17 @@ fn noise() -> Result<Noise, Failure> {
     let frame = frame.map_err(Failure::refused)?;
     let receiver = dsp::Receiver::new(&header).map_err(Failure::refused)?;
     let map = receiver.range_doppler(&frame).map_err(Failure::refused)?;
-    Ok(Noise { header, receiver, frame, map })
+    Ok(NoiseFrame { header, receiver, frame, map })
 }
 
-impl Noise {
+impl NoiseFrame {
     fn maps(&self, sizes: Sizes) -> Result<Vec<Comparison>, Failure> {
         let (ours, ours_s) =
             quickest(sizes, || self.receiver.range_doppler(&self.frame).map_err(Failure::refused))?;
         let job = Job { name: "range-doppler", input: single(&self.frame.samples) };
-        let error = |answer: &Answer| difference(&wide(&ours.values), &complex(&answer.result));
-        let programs = [Language::Python("scipy"), Language::Python("numpy"), MMWCORE];
-        self.beside("range-Doppler", ours_s, &job, sizes, &programs, &error)
+        let error = |answer: &RivalOutput| difference(&wide(&ours.values), &complex(&answer.result));
+        let programs = [RivalProgram::Python("scipy"), RivalProgram::Python("numpy"), MMWCORE];
+        self.compare_with("range-Doppler", ours_s, &job, sizes, &programs, &error)
     }
 
     fn detectors(&self, sizes: Sizes) -> Result<Vec<Comparison>, Failure> {
@@ -71,14 +71,14 @@ impl Noise {
             Detector::CaCfar,
             "CA-CFAR",
             "ca-cfar",
-            &[Language::Python("scipy"), MMWCORE],
+            &[RivalProgram::Python("scipy"), MMWCORE],
         )?;
         list.extend(self.detector(
             sizes,
             Detector::OsCfar,
             "OS-CFAR",
             "os-cfar",
-            &[Language::Python("scipy")],
+            &[RivalProgram::Python("scipy")],
         )?);
         Ok(list)
     }
@@ -91,7 +91,7 @@ impl Noise {
         detector: Detector,
         name: &str,
         job: &'static str,
-        programs: &[Language],
+        programs: &[RivalProgram],
     ) -> Result<Vec<Comparison>, Failure> {
         let mut header = self.header.clone();
         header.dsp.detector = detector;
@@ -103,14 +103,14 @@ impl Noise {
         let input =
             factor.to_le_bytes().into_iter().chain(power.iter().flat_map(|p| p.to_le_bytes())).collect();
         // For masks, 1 at an alarm: the root of the differing cells over the alarms.
-        let error = |answer: &Answer| {
+        let error = |answer: &RivalOutput| {
             let alarms = |of: &dyn Fn(usize) -> bool| (0..mask.len()).filter(|cell| of(*cell)).count() as f64;
             let theirs = |cell: usize| answer.result.get(cell).is_some_and(|byte| *byte != 0);
             let differing = alarms(&|cell| (mask[cell] == DETECTED) != theirs(cell));
             (differing / alarms(&|cell| theirs(cell))).sqrt()
         };
         let alarms = mask.iter().filter(|cell| **cell == DETECTED).count();
-        let mut rows = self.beside(name, ours_s, &Job { name: job, input }, sizes, programs, &error)?;
+        let mut rows = self.compare_with(name, ours_s, &Job { name: job, input }, sizes, programs, &error)?;
         rows.iter_mut().for_each(|row| row.work += &format!(", {alarms} alarms"));
         Ok(rows)
     }
@@ -125,7 +125,7 @@ impl Noise {
         let job = Job { name: "angles", input: single(&self.map.values) };
         // In cells of noise alone, two beams occasionally have equal power: the result is the share of cells
         // that differ by more than a cell of the transform.
-        let error = |answer: &Answer| {
+        let error = |answer: &RivalOutput| {
             let apart = |(a, b): (&f64, f64)| {
                 let turn = (a - b).rem_euclid(2.0);
                 turn.min(2.0 - turn) > 1.0 / self.header.shape()[0] as f64
@@ -133,24 +133,24 @@ impl Noise {
             (ours.iter().zip(answer.numbers()).filter(|pair| apart(*pair)).count() as f64 / CELLS as f64)
                 .sqrt()
         };
-        self.beside(
+        self.compare_with(
             "angle FFT of 1000 cells",
             ours_s,
             &job,
             sizes,
-            &[Language::Python("numpy"), MMWCORE],
+            &[RivalProgram::Python("numpy"), MMWCORE],
             &error,
         )
     }
 
-    fn beside(
+    fn compare_with(
         &self,
         name: &str,
         ours_s: f64,
         job: &Job,
         sizes: Sizes,
-        programs: &[Language],
-        error: &dyn Fn(&Answer) -> f64,
+        programs: &[RivalProgram],
+        error: &dyn Fn(&RivalOutput) -> f64,
     ) -> Result<Vec<Comparison>, Failure> {
         let shape = self.header.shape();
         let numbers: Vec<String> = shape
@@ -159,8 +159,8 @@ impl Noise {
             .map(|n| n.to_string())
             .chain([sizes.repeated_s.to_string()])
             .collect();
-        let row = |language: &Language| -> Result<Comparison, Failure> {
-            let answer: Result<Answer, NotHere> = job.given_to(*language, &numbers)?;
+        let row = |language: &RivalProgram| -> Result<Comparison, Failure> {
+            let answer: Result<RivalOutput, MissingProgram> = job.run_with(*language, &numbers)?;
             let error = answer.as_ref().ok().map(error);
             Ok(Comparison {
                 name: name.into(),

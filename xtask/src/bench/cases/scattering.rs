@@ -2,7 +2,7 @@
 
 use crate::bench::cases::timing::{FULL, Sizes, timed};
 use crate::bench::comparison::Comparison;
-use crate::bench::programs::{Job, Language};
+use crate::bench::programs::{Job, RivalProgram};
 use artifact::paths::Amplitude;
 use artifact::scene::Mesh;
 use artifact::settings::{NodeRule, Sides};
@@ -79,8 +79,12 @@ impl BodyCase<'_> {
     fn against_sbr(&self) -> Result<Comparison, Failure> {
         let BodyCase { model, mesh, density, frequency_hz } = *self;
         let (ours, ours_s) = timed(|| traced(self, 3, NodeRule::Exit))?;
-        let shooting =
-            sbr::Shooting { per_wavelength: density, bounces: 3, sides: Sides::Two, bracket: Bracket::Plain };
+        let shooting = sbr::RaySettings {
+            per_wavelength: density,
+            bounces: 3,
+            sides: Sides::Two,
+            bracket: Bracket::Plain,
+        };
         let (rival, rival_s) =
             timed(|| sbr::amplitude(mesh, &aspect(), &[frequency_hz], &shooting).map_err(Failure::refused))?;
         let sum: Complex64 = rival.orders.iter().map(|order: &Vec<Amplitude>| order[0][0][0]).sum();
@@ -115,7 +119,7 @@ impl BodyCase<'_> {
         let corners = mesh.triangles.iter().flatten().flat_map(|&vertex| mesh.vertices_m[vertex as usize]);
         let job = Job { name: "first-hits", input: corners.flat_map(|x| (x as f32).to_le_bytes()).collect() };
         let numbers = [towards.x, towards.y, towards.z, step_m].map(|x| x.to_string());
-        let answer = job.given_to(Language::Python("embreex"), &numbers)?;
+        let answer = job.run_with(RivalProgram::Python("embreex"), &numbers)?;
         let error = answer.as_ref().ok().map(|answer| {
             let theirs_m2: f64 = answer.numbers().next().unwrap_or(f64::NAN);
             (ours_m2 - theirs_m2).abs() / theirs_m2

@@ -12,7 +12,7 @@ use wayside::outcome::summary::{Stage, Summary};
 
 /// Costs of a run, and the counts of its tracer.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Taken {
+pub(super) struct MeasuredCost {
     pub(super) processor_s: f64,
     pub(super) peak_mib: f64,
     /// Speed of the machine during the run, which depends on other load.
@@ -29,21 +29,24 @@ pub(super) struct Taken {
 }
 
 /// Runs `run` on a scene without a cache; `None` if the system does not report the costs of a process.
-pub(super) fn run(scene: &Path, out: &Path, threads: Option<u16>) -> Result<Option<Taken>, Failure> {
+pub(super) fn run(scene: &Path, out: &Path, threads: Option<u16>) -> Result<Option<MeasuredCost>, Failure> {
     let machine_speed = machine_speed::measured()?;
     let mut command = Command::new(this_program()?);
     command.arg("run").arg(scene).arg("--out").arg(out).args(["--no-cache", "--quiet"]);
     command.args(threads.iter().flat_map(|n| ["--threads".to_owned(), n.to_string()]));
     let _ = std::fs::remove_dir_all(out);
     let Some(costs) = costs_of(&mut command, scene.display())? else { return Ok(None) };
-    Ok(Some(Taken { machine_speed, ..told(out, costs)? }))
+    Ok(Some(MeasuredCost { machine_speed, ..read_costs(out, costs)? }))
 }
 
-fn told(out: &Path, ProcessCosts { processor_s, peak_mib }: ProcessCosts) -> Result<Taken, Failure> {
+fn read_costs(
+    out: &Path,
+    ProcessCosts { processor_s, peak_mib }: ProcessCosts,
+) -> Result<MeasuredCost, Failure> {
     let summary = Summary::read(&out.join("summary.json"))?;
     let seconds = |stage| summary.frames.iter().filter_map(|frame| frame.stage_seconds.get(&stage)).sum();
     let stages_s = [Stage::BartRcs, Stage::FmcwEcho, Stage::Dsp].map(seconds);
-    let mut taken = Taken {
+    let mut taken = MeasuredCost {
         processor_s,
         peak_mib,
         machine_speed: 1.0,
@@ -63,7 +66,7 @@ fn told(out: &Path, ProcessCosts { processor_s, peak_mib }: ProcessCosts) -> Res
     Ok(taken)
 }
 
-impl Taken {
+impl MeasuredCost {
     fn add(&mut self, frame: &PathsFrame) {
         self.paths += frame.paths.len() as f64;
         self.beams += frame.trace.beams.iter().sum::<u64>() as f64;

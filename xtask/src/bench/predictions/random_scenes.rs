@@ -2,70 +2,69 @@
 //! the mast.
 
 use crate::bench::predictions::timed_scene::{Text, TimedScene};
-use crate::random_scenes::{Draw, clutter, radar, traffic};
+use crate::random_scenes::{SceneRng, clutter, radar, traffic};
 use std::fmt::Write as _;
 use std::path::Path;
 
 /// Scene `number` of a seed; `root` holds `scenes` and `fixtures`.
 pub(super) fn scene(seed: u64, number: u64, root: &Path) -> TimedScene {
-    let mut draw = Draw::of(seed, "xtask/predictions", number);
+    let mut rng = SceneRng::new(seed, "xtask/predictions", number);
     let name = format!("random-{seed}-{number:03}");
     let mut text = format!("name = \"{name}\"\nseed = {}\n", number + 1);
-    if draw.chance(0.1) {
-        traffic(&mut draw, root, "accuracy_db = -10.0\nbounces = 1\n", &mut text);
+    if rng.chance(0.1) {
+        traffic(&mut rng, root, "accuracy_db = -10.0\nbounces = 1\n", &mut text);
     } else {
-        bodies(&mut draw, root, &mut text);
+        bodies(&mut rng, root, &mut text);
     }
-    let threads = draw.chance(0.5).then_some(1);
+    let threads = rng.chance(0.5).then_some(1);
     TimedScene { name, text: Text::Drawn(text), threads }
 }
 
-fn bodies(draw: &mut Draw, root: &Path, text: &mut String) {
-    let count = draw.one_of(&[1, 1, 1, 1, 1, 2, 2, 2, 3, 4, 6]);
+fn bodies(rng: &mut SceneRng, root: &Path, text: &mut String) {
+    let count = rng.choose(&[1, 1, 1, 1, 1, 2, 2, 2, 3, 4, 6]);
     // Scenes with many vehicles have few frames and coarser accuracies.
-    let frames =
-        if count < 3 { draw.one_of(&[1, 1, 1, 1, 1, 1, 2, 3, 5]) } else { draw.one_of(&[1, 1, 1, 2]) };
+    let frames = if count < 3 { rng.choose(&[1, 1, 1, 1, 1, 1, 2, 3, 5]) } else { rng.choose(&[1, 1, 1, 2]) };
     let _ = writeln!(text, "frames = {frames}");
-    radar(draw, text);
-    let bounces = if count < 4 { draw.one_of(&[1, 1, 2, 3]) } else { draw.one_of(&[1, 1, 2]) };
+    radar(rng, text);
+    let bounces = if count < 4 { rng.choose(&[1, 1, 2, 3]) } else { rng.choose(&[1, 1, 2]) };
     let finest_db = [-30.0, -24.0, -18.0][(count - 1).min(2)];
     let accuracy_db =
-        (10.0 * draw.between(finest_db, -10.0).max(draw.between(finest_db, -10.0))).round() / 10.0;
-    let measured_every = draw.one_of(&[1, 2, 5]);
+        (10.0 * rng.between(finest_db, -10.0).max(rng.between(finest_db, -10.0))).round() / 10.0;
+    let measured_every = rng.choose(&[1, 2, 5]);
     let _ = write!(
         text,
         "[fidelity]\naccuracy_db = {accuracy_db}\nbounces = {bounces}\nmeasured_every = {measured_every}\n"
     );
-    variants(draw, root, text);
+    variants(rng, root, text);
     let mut lanes_m = [0.0; 3];
     for number in 0..count {
-        vehicle(draw, number, &mut lanes_m, text);
+        vehicle(rng, number, &mut lanes_m, text);
     }
-    if draw.chance(0.2) {
-        clutter(draw, text);
+    if rng.chance(0.2) {
+        clutter(rng, text);
     }
 }
 
 /// Adds unusual settings, and the road.
-fn variants(draw: &mut Draw, root: &Path, text: &mut String) {
-    if draw.chance(0.15) {
+fn variants(rng: &mut SceneRng, root: &Path, text: &mut String) {
+    if rng.chance(0.15) {
         let _ = writeln!(text, "materials = {:?}", root.join("scenes/vehicles.materials.toml"));
     }
-    if draw.chance(0.06) {
+    if rng.chance(0.06) {
         text.push_str("edges = \"on\"\n");
     }
-    if draw.chance(0.06) {
+    if rng.chance(0.06) {
         text.push_str("surface = \"smooth\"\n");
     }
     // A table supports neither paths nor the road nor its floor.
-    if draw.chance(0.05) {
+    if rng.chance(0.05) {
         text.push_str("echo = \"rcs-table\"\n");
         return;
     }
-    if draw.chance(0.06) {
+    if rng.chance(0.06) {
         text.push_str("detail = \"auto\"\n");
     }
-    match draw.below(20) {
+    match rng.below(20) {
         0 => text.push_str("[road]\n"),
         1..=3 => text.push_str("[road]\nmirror = \"off\"\nbackscatter = \"floor\"\n"),
         _ => {}
@@ -74,18 +73,18 @@ fn variants(draw: &mut Draw, root: &Path, text: &mut String) {
 
 /// Adds a vehicle in a lane, mostly 12 to 80 m away; occasionally directly below the mast. `lanes_m` holds
 /// the place of each lane's first vehicle.
-fn vehicle(draw: &mut Draw, number: usize, lanes_m: &mut [f64; 3], text: &mut String) {
-    let (model, class) = draw.own_vehicle();
+fn vehicle(rng: &mut SceneRng, number: usize, lanes_m: &mut [f64; 3], text: &mut String) {
+    let (model, class) = rng.own_vehicle();
     let first_m = &mut lanes_m[number % 3];
     let y_m = match number {
         // At least 20 m before or behind the first of its lane.
-        3.. if *first_m < 46.0 => draw.between(*first_m + 20.0, 80.0),
-        3.. => draw.between(12.0, *first_m - 20.0),
-        _ if draw.chance(0.05) => draw.between(-2.0, 8.0),
-        _ => draw.between(12.0, 80.0),
+        3.. if *first_m < 46.0 => rng.between(*first_m + 20.0, 80.0),
+        3.. => rng.between(12.0, *first_m - 20.0),
+        _ if rng.chance(0.05) => rng.between(-2.0, 8.0),
+        _ => rng.between(12.0, 80.0),
     };
     *first_m = y_m;
-    let velocity_mps = if draw.chance(0.25) { 0.0 } else { draw.between(-15.0, 5.0) };
+    let velocity_mps = if rng.chance(0.25) { 0.0 } else { rng.between(-15.0, 5.0) };
     let _ = write!(
         text,
         "[[target]]\nkind = \"mesh\"\nid = \"body-{number}\"\nclass = \"{class}\"\nmodel = \"{model}\"\nlane = {}\n\

@@ -1,9 +1,9 @@
 //! Expected and actual seconds and memory of a scene.
 
-use crate::bench::predictions::child::Taken;
+use crate::bench::predictions::child::MeasuredCost;
 use crate::bench::predictions::timed_scene::TimedScene;
 use wayside::chain::expectation::Expectation;
-use wayside::chain::memory_estimate::Load;
+use wayside::chain::memory_estimate::MemoryLoad;
 
 /// One scene.
 pub(super) struct PredictionRow {
@@ -12,7 +12,7 @@ pub(super) struct PredictionRow {
     /// Processor seconds of the prediction.
     pub(super) look_s: f64,
     /// Memory of the largest frame by its parts, and the number of concurrent frames.
-    pub(super) load: Load,
+    pub(super) load: MemoryLoad,
     pub(super) at_once: usize,
-    pub(super) taken: Taken,
+    pub(super) taken: MeasuredCost,
 }

@@ -1,18 +1,18 @@
 //! The rows of a comparison as a file: one line per scene, from which earlier runs are read again.
 
-use crate::bench::predictions::child::Taken;
+use crate::bench::predictions::child::MeasuredCost;
 use crate::bench::predictions::fit::CountedRun;
 use crate::bench::predictions::row::PredictionRow;
 use std::collections::BTreeMap;
 use std::path::Path;
 use wayside::chain::expectation::rates::{HELD_KINDS, SECONDS};
 use wayside::chain::expectation::work::ITEMS;
-use wayside::chain::memory_estimate::Load;
+use wayside::chain::memory_estimate::MemoryLoad;
 use wayside::host::failure::Failure;
 use wayside::host::files;
 
 /// Columns of a scene's actual cost, which are read again.
-const TAKEN: [&str; 10] = [
+const MEASURED_COLUMNS: [&str; 10] = [
     "taken_s",
     "taken_mib",
     "machine_speed",
@@ -24,11 +24,11 @@ const TAKEN: [&str; 10] = [
     "fmcw_echo_s",
     "dsp_s",
 ];
-const SAID: &str = "said_s,said_mib,most_mib,look_s,at_once,signal_mib,facets,polygons,cells,changing,sliding,moving,\
+const PREDICTED_COLUMNS: &str = "said_s,said_mib,most_mib,look_s,at_once,signal_mib,facets,polygons,cells,changing,sliding,moving,\
                     through_sheets";
 
 /// Reads the actual costs of scenes by name; none if the file does not exist yet.
-pub(super) fn taken(file: &Path) -> Result<BTreeMap<String, Taken>, Failure> {
+pub(super) fn measured_costs(file: &Path) -> Result<BTreeMap<String, MeasuredCost>, Failure> {
     let text = match std::fs::read_to_string(file) {
         Ok(text) => text,
         Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(BTreeMap::new()),
@@ -71,16 +71,23 @@ fn held_runs(text: &str) -> Option<Vec<CountedRun<HELD_KINDS>>> {
     ];
     let run = |[taken, triangles, at_once, load @ ..]: [f64; 9]| {
         let [signal_mib, facets, beams, cells, moving_cells, beams_through_sheets] = load;
-        let load =
-            Load { signal_mib, facets, beams, beams_through_sheets, cells, moving_cells, ..Load::default() };
+        let load = MemoryLoad {
+            signal_mib,
+            facets,
+            beams,
+            beams_through_sheets,
+            cells,
+            moving_cells,
+            ..MemoryLoad::default()
+        };
         let run = CountedRun { counts: load.held(triangles, at_once), taken };
         run.is_finite().then_some(run)
     };
     columns(text, names)?.into_iter().map(run).collect()
 }
 
-fn known(text: &str) -> Option<BTreeMap<String, Taken>> {
-    let taken = columns(text, TAKEN)?.into_iter().map(of_numbers);
+fn known(text: &str) -> Option<BTreeMap<String, MeasuredCost>> {
+    let taken = columns(text, MEASURED_COLUMNS)?.into_iter().map(of_numbers);
     let place = text.lines().next()?.split(',').position(|column| column == "scene")?;
     let name = |line: &str| line.split(',').nth(place).map(str::to_owned);
     text.lines().skip(1).zip(taken).map(|(line, taken)| Some((name(line)?, taken))).collect()
@@ -102,13 +109,14 @@ fn columns<const N: usize>(text: &str, names: [impl AsRef<str>; N]) -> Option<Ve
     lines.map(row).collect()
 }
 
-fn of_numbers(numbers: [f64; TAKEN.len()]) -> Taken {
+fn of_numbers(numbers: [f64; MEASURED_COLUMNS.len()]) -> MeasuredCost {
     let [processor_s, peak_mib, machine_speed, paths, beams, moments, traced_mib, stages_s @ ..] = numbers;
-    Taken { processor_s, peak_mib, machine_speed, paths, beams, moments, traced_mib, stages_s }
+    MeasuredCost { processor_s, peak_mib, machine_speed, paths, beams, moments, traced_mib, stages_s }
 }
 
-fn numbers(taken: &Taken) -> [f64; TAKEN.len()] {
-    let Taken { processor_s, peak_mib, machine_speed, paths, beams, moments, traced_mib, stages_s } = *taken;
+fn numbers(taken: &MeasuredCost) -> [f64; MEASURED_COLUMNS.len()] {
+    let MeasuredCost { processor_s, peak_mib, machine_speed, paths, beams, moments, traced_mib, stages_s } =
+        *taken;
     let [bart_rcs_s, fmcw_echo_s, dsp_s] = stages_s;
     [processor_s, peak_mib, machine_speed, paths, beams, moments, traced_mib, bart_rcs_s, fmcw_echo_s, dsp_s]
 }
@@ -116,15 +124,16 @@ fn numbers(taken: &Taken) -> [f64; TAKEN.len()] {
 /// Writes all rows so far in place of the old ones.
 pub(super) fn write(file: &Path, rows: &[PredictionRow]) -> Result<(), Failure> {
     let counts: Vec<String> = SECONDS.iter().map(|(kind, _)| format!("{kind:?}")).collect();
-    let mut text = format!("scene,threads,{},{SAID},{}\n", TAKEN.join(","), counts.join(","));
+    let mut text =
+        format!("scene,threads,{},{PREDICTED_COLUMNS},{}\n", MEASURED_COLUMNS.join(","), counts.join(","));
     rows.iter().for_each(|row| text += &line(row));
-    files::write_again(file, text.as_bytes())
+    files::overwrite(file, text.as_bytes())
 }
 
 fn line(row: &PredictionRow) -> String {
     let PredictionRow { scene, expected, look_s, load, at_once, taken } = row;
-    let Load { signal_mib, facets, beams, beams_through_sheets, cells, changing_cells, .. } = load;
-    let Load { sliding_tiles, moving_cells, .. } = load;
+    let MemoryLoad { signal_mib, facets, beams, beams_through_sheets, cells, changing_cells, .. } = load;
+    let MemoryLoad { sliding_tiles, moving_cells, .. } = load;
     let threads = scene.threads.map_or("all".into(), |n| n.to_string());
     let taken = numbers(taken).map(|number| format!("{number:.3}")).join(",");
     let counts: Vec<String> = expected.work.0.iter().map(|count| format!("{count:.1}")).collect();

@@ -16,7 +16,7 @@ const PAGE: &str = "docs/decisions/dependencies.md";
 /// A sentence for each library without a row, for each row without a library, and for each unused library.
 pub(super) fn findings(root: &Path) -> Result<Vec<String>, Failure> {
     let (page, workspace) = (read(&root.join(PAGE))?, read(&root.join("Cargo.toml"))?);
-    let mut all = [untold(&workspace, &page), unlisted(&workspace, &page)].concat();
+    let mut all = [unexplained(&workspace, &page), unlisted(&workspace, &page)].concat();
     let crates = std::fs::read_dir(root.join("crates")).into_iter().flatten().flatten();
     for folder in crates.map(|entry| entry.path()).chain([root.join("xtask")]) {
         let manifest = folder.join("Cargo.toml");
@@ -51,7 +51,7 @@ fn unused(manifest: &str, code: &str) -> Vec<String> {
 }
 
 /// A sentence for each library of the workspace without a row.
-fn untold(manifest: &str, page: &str) -> Vec<String> {
+fn unexplained(manifest: &str, page: &str) -> Vec<String> {
     let told = named(page);
     let missing = listed(manifest).into_iter().filter(|name| !told.contains(name));
     missing.map(|name| format!("{PAGE}: no row tells of `{name}`")).collect()
@@ -97,7 +97,7 @@ mod tests {
         let manifest = "[workspace.dependencies]\nown = { path = \"x\" }\nserde = \"1\"\nnum_traits = \"1\"\n\
                         clap = \"4\"\n[profile]\n";
         let page = "| library | for |\n|---|---|\n| serde, num-traits | records |\n";
-        assert_eq!(untold(manifest, page), ["docs/decisions/dependencies.md: no row tells of `clap`"]);
+        assert_eq!(unexplained(manifest, page), ["docs/decisions/dependencies.md: no row tells of `clap`"]);
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Check of the site's navigation: it contains every page of the project once, and nothing else.
 
-use crate::ci::findings::{none_of, pages, read};
+use crate::ci::findings::{fail_on, pages, read};
 use crate::project::project_root;
 use std::collections::BTreeSet;
 use wayside::host::failure::Failure;
@@ -15,7 +15,7 @@ pub(in crate::ci) fn check() -> Result<(), Failure> {
     let listed = listed(&read(&root.join(SETTINGS))?);
     let gone = listed.iter().filter(|page| !root.join(page).is_file());
     let gone: Vec<String> = gone.map(|page| format!("{SETTINGS}: {page} is not there")).collect();
-    none_of([left_out(&listed, &there), gone].concat())
+    fail_on([missing_pages(&listed, &there), gone].concat())
 }
 
 /// Pages of the navigation, in order.
@@ -25,7 +25,7 @@ fn listed(settings: &str) -> Vec<String> {
 }
 
 /// A sentence for each page that is missing or duplicated in the navigation.
-fn left_out(listed: &[String], there: &BTreeSet<String>) -> Vec<String> {
+fn missing_pages(listed: &[String], there: &BTreeSet<String>) -> Vec<String> {
     let times = |page: &String| listed.iter().filter(|other| *other == page).count();
     let wrong = there.iter().filter(|page| times(page) != 1);
     wrong.map(|page| format!("{SETTINGS}: {page} is listed {} times, not once", times(page))).collect()
@@ -43,6 +43,6 @@ mod tests {
             "docs/site/zensical.toml: docs/a.md is listed 2 times, not once",
             "docs/site/zensical.toml: docs/c.md is listed 0 times, not once",
         ];
-        assert_eq!(left_out(&listed(settings), &there), told);
+        assert_eq!(missing_pages(&listed(settings), &there), told);
     }
 }

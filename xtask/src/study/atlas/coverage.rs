@@ -154,12 +154,13 @@ const LINES: &[Line] = &[
 
 /// The table of the page: each line with its cases and all of their verdicts.
 pub(super) fn table(rows: &[CaseRow]) -> String {
-    let line = |(line, cases): &Line| format!("| {} | {} |\n", line.replace('|', "\\|"), told(cases, rows));
+    let line =
+        |(line, cases): &Line| format!("| {} | {} |\n", line.replace('|', "\\|"), verdict_text(cases, rows));
     let all: String = LINES.iter().map(line).collect();
     format!("| asked for | cases |\n| --- | --- |\n{all}")
 }
 
-fn told(cases: &[&str], rows: &[CaseRow]) -> String {
+fn verdict_text(cases: &[&str], rows: &[CaseRow]) -> String {
     let of = |case: &&str| {
         let own: Vec<&CaseRow> = rows.iter().filter(|row| row.case == *case).collect();
         let mut names: Vec<&str> = own.iter().map(|row| row.verdict.name()).collect();

@@ -5,9 +5,9 @@ mod interference;
 mod levels;
 mod many;
 
-use crate::study::atlas::verdict::{Tried, tried};
+use crate::study::atlas::verdict::{AtlasCase, atlas_cases};
 
-pub(super) const CASES: &[Tried] = tried![
+pub(super) const CASES: &[AtlasCase] = atlas_cases![
     frozen::near_lane,
     frozen::single_precision,
     many::wheels,

@@ -1,17 +1,19 @@
 //! Training on too few data, on none, and on false labels.
 
 use crate::study::atlas::methods;
-use crate::study::atlas::verdict::{Trial, Tried, tried};
-use crate::study::atlas::{CaseRow, Says};
+use crate::study::atlas::verdict::{AtlasCase, Trial, atlas_cases};
+use crate::study::atlas::{CaseRow, ErrorStatement};
 use crate::study::extent::Extent;
 use artifact::dataset::Split;
 use artifact::model::Weights;
-use classifier::{BoostingSettings, Seen, Sightings, Trained, TreeSettings, train_trees, tree_logits};
+use classifier::{
+    BoostingSettings, Sighting, Sightings, TrainedModel, TreeSettings, train_trees, tree_logits,
+};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use wayside::host::failure::Failure;
 
-pub(super) const CASES: &[Tried] = tried![tiny_sets, classes_missing, labels_of_chance];
+pub(super) const CASES: &[AtlasCase] = atlas_cases![tiny_sets, classes_missing, labels_of_chance];
 
 const SETTINGS: TreeSettings = TreeSettings {
     boosting: BoostingSettings {
@@ -29,7 +31,7 @@ const SETTINGS: TreeSettings = TreeSettings {
 
 /// A sighting whose features indicate its class up to noise of the same size; `told` is the class that they
 /// indicate.
-fn sighting(random: &mut ChaCha8Rng, class: usize, told: usize, vehicle: u64) -> Seen {
+fn sighting(random: &mut ChaCha8Rng, class: usize, told: usize, vehicle: u64) -> Sighting {
     let width = classifier::feature_names().len();
     let feature = |i: usize, noise: f64| if i % 4 == told { 1.5 + noise } else { noise };
     let features = (0..width)
@@ -39,7 +41,7 @@ fn sighting(random: &mut ChaCha8Rng, class: usize, told: usize, vehicle: u64) ->
         .map(|value| value as f32)
         .collect();
     let model = format!("vehicle-{class}-{vehicle}");
-    Seen {
+    Sighting {
         features,
         cells: vec![],
         class,
@@ -63,16 +65,16 @@ fn sightings(each: u64, seed: u64, told: impl Fn(&mut ChaCha8Rng, usize) -> usiz
 }
 
 /// Share of a thousand new sightings that a model classifies correctly.
-fn true_accuracy(trained: &Trained, of: &Sightings) -> f64 {
+fn true_accuracy(trained: &TrainedModel, of: &Sightings) -> f64 {
     let Weights::Trees(trees) = &trained.weights else { return 0.0 };
-    let is_right = |seen: &&Seen| {
+    let is_right = |seen: &&Sighting| {
         let logits = tree_logits(trees, &seen.features);
         (0..4).fold(0, |best, i| if logits[i] > logits[best] { i } else { best }) == seen.class
     };
     of.all.iter().filter(is_right).count() as f64 / of.all.len() as f64
 }
 
-fn trained(sightings: &Sightings) -> Result<Trained, Failure> {
+fn trained(sightings: &Sightings) -> Result<TrainedModel, Failure> {
     train_trees(sightings, &SETTINGS, 1, &mut |_, _| ()).map_err(Failure::refused)
 }
 
@@ -82,7 +84,7 @@ const SETS: u64 = 8;
 /// Compares the accuracy reported by trainings with that on a thousand new sightings: the error is the mean
 /// difference of the two; the 95 % intervals cover it if at most two of eight miss the true one (0.6 % by
 /// chance).
-fn told_against_true(
+fn stated_against_true(
     trial: Trial,
     each: u64,
     fresh: &Sightings,
@@ -100,13 +102,13 @@ fn told_against_true(
         let holds = own.interval.is_some_and(|[low, high]| (low..=high).contains(&truth));
         missed += u32::from(!holds);
     }
-    let says = match missed {
-        0..=2 => Says::Words(
+    let statement = match missed {
+        0..=2 => ErrorStatement::Remark(
             "unseen_vehicles.by_vehicle.interval holds the true accuracy in six sets of eight or more",
         ),
-        _ => Says::Nothing,
+        _ => ErrorStatement::Missing,
     };
-    Ok(trial.answered(each, apart, says))
+    Ok(trial.answered(each, apart, statement))
 }
 
 /// Very few vehicles of each class.
@@ -114,14 +116,14 @@ fn tiny_sets(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial =
         methods::TREES.trial("tiny training sets: accuracy told against true", "vehicles of each class");
     let fresh = sightings(250, 99, |_, class| class);
-    let row = |each: u64| told_against_true(trial, each, &fresh, &|_, class| class);
+    let row = |each: u64| stated_against_true(trial, each, &fresh, &|_, class| class);
     [1, 2, 5, 20, 50].into_iter().map(row).collect()
 }
 
 /// A class without training data cannot be learned.
 fn classes_missing(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::TREES.trial("training sets without all classes", "set");
-    let without = |kept: &dyn Fn(&Seen) -> bool| {
+    let without = |kept: &dyn Fn(&Sighting) -> bool| {
         let mut all = sightings(20, 5, |_, class| class);
         all.all.retain(|seen| kept(seen));
         trained(&all)
@@ -144,6 +146,6 @@ fn labels_of_chance(_: Extent) -> Result<Vec<CaseRow>, Failure> {
         methods::TREES.trial("labels by chance: accuracy told against true", "vehicles of each class");
     let chance = |random: &mut ChaCha8Rng, _: usize| random.random_range(0..4);
     let fresh = sightings(250, 98, chance);
-    let row = |each: u64| told_against_true(trial, each, &fresh, &chance);
+    let row = |each: u64| stated_against_true(trial, each, &fresh, &chance);
     [10, 50].into_iter().map(row).collect()
 }

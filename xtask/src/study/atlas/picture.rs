@@ -1,7 +1,7 @@
 //! The atlas's picture, drawn from its table.
 
 use crate::study::atlas::Verdict;
-use crate::study::table::{RowOf, Table};
+use crate::study::table::{Table, TableRow};
 use plotting::marks::{Legend, Mark};
 use plotting::svg::Svg;
 
@@ -17,14 +17,14 @@ const SPAN_DB: [f64; 2] = [-120.0, 45.0];
 
 /// A line for each case, a mark for each row by its error and its verdict.
 pub(in crate::study) fn picture(table: &Table) -> Svg {
-    let rows: Vec<RowOf> = table.rows().collect();
+    let rows: Vec<TableRow> = table.rows().collect();
     let is_one =
-        |a: &RowOf, b: &RowOf| (a.word("case"), a.word("method")) == (b.word("case"), b.word("method"));
-    let cases: Vec<&[RowOf]> = rows.chunk_by(is_one).collect();
+        |a: &TableRow, b: &TableRow| (a.word("case"), a.word("method")) == (b.word("case"), b.word("method"));
+    let cases: Vec<&[TableRow]> = rows.chunk_by(is_one).collect();
     let bottom = TOP_PX + LINE_PX * cases.len() as f64;
     let mut sheet = Svg::new("Atlas: error and verdict of every case, method by method", 1000.0, 0.0);
     sheet.heading([10.0, 22.0], "Atlas: error and verdict of every case, method by method");
-    sheet.words(
+    sheet.text(
         [10.0, 42.0],
         "start",
         "A mark is one value of the case's parameter. Better is further left; the dark line is the default accuracy, \
@@ -47,7 +47,7 @@ fn at(error_db: f64) -> f64 {
 fn mark(verdict: Verdict) -> Mark {
     match verdict {
         Verdict::Good => Mark::Disc,
-        Verdict::Degraded => Mark::Peak,
+        Verdict::Degraded => Mark::TriangleUp,
         Verdict::Refused => Mark::Circle,
         Verdict::Wrong => Mark::Cross,
     }
@@ -62,7 +62,7 @@ fn legend() -> Legend {
             Verdict::Refused => "refused: no answer, and why",
             Verdict::Wrong => "wrong: worse, and nothing is said",
         };
-        legend.say(mark(verdict), verdict.name(), words);
+        legend.add(mark(verdict), verdict.name(), words);
     }
     legend
 }
@@ -73,15 +73,15 @@ fn scale(sheet: &mut Svg, bottom: f64) {
         sheet.line(if error_db == -20.0 { "ink" } else { "faint" }, [x, TOP_PX - 6.0], [x, bottom]);
         let text = format!("{error_db:.0}").replace('-', "−");
         let text = if error_db == SPAN_DB[0] { format!("≤ {text}") } else { text };
-        sheet.words([x, bottom + 17.0], "middle", &text);
+        sheet.text([x, bottom + 17.0], "middle", &text);
     }
-    sheet.words([0.5 * (LEFT_PX + RIGHT_PX), bottom + 36.0], "middle", "error, dB");
-    sheet.words([RIGHT_PX + 60.0, TOP_PX - 12.0], "middle", "no answer");
+    sheet.text([0.5 * (LEFT_PX + RIGHT_PX), bottom + 36.0], "middle", "error, dB");
+    sheet.text([RIGHT_PX + 60.0, TOP_PX - 12.0], "middle", "no answer");
 }
 
-fn draw_case(sheet: &mut Svg, y: f64, rows: &[RowOf]) {
+fn draw_case(sheet: &mut Svg, y: f64, rows: &[TableRow]) {
     let Some(first) = rows.first() else { return };
-    sheet.words(
+    sheet.text(
         [LEFT_PX - 14.0, y + 4.0],
         "end",
         &format!("{} · {}", first.word("method"), first.word("case")),

@@ -52,7 +52,7 @@ pub(in crate::study) fn page(rows: &[CaseRow], extent: Extent) -> String {
             &r.value,
             &table::decibels(r.error),
             r.verdict.name(),
-            &r.said,
+            &r.statement,
         ];
         words.map(str::to_owned).to_vec()
     };
@@ -87,7 +87,7 @@ fn exceeded(rows: &[CaseRow]) -> String {
 fn wrong(rows: &[CaseRow]) -> String {
     let of = |row: &CaseRow| {
         let error = table::decibels(row.error);
-        format!("- {}: {} {}, {} dB, says: {}\n", row.case, row.parameter, row.value, error, row.said)
+        format!("- {}: {} {}, {} dB, says: {}\n", row.case, row.parameter, row.value, error, row.statement)
     };
     let all: String = rows.iter().filter(|row| row.verdict == Verdict::Wrong).map(of).collect();
     if all.is_empty() {

@@ -2,10 +2,10 @@
 
 use crate::study::atlas::CaseRow;
 use crate::study::atlas::methods;
-use crate::study::atlas::verdict::{Trial, Tried, tried};
+use crate::study::atlas::verdict::{AtlasCase, Trial, atlas_cases};
 use crate::study::bodies;
 use crate::study::extent::Extent;
-use crate::study::looks;
+use crate::study::rcs_solvers;
 use crate::study::scenes::{cube_header, cube_of, paths_of, scene_of, with_point};
 use artifact::scene::{Mesh, SceneHeader};
 use bart_rcs::RcsRequest;
@@ -15,7 +15,7 @@ use scene::mesh::{Format, mesh_from_bytes};
 use std::path::Path;
 use wayside::host::failure::Failure;
 
-pub(super) const CASES: &[Tried] = tried![meshes, scenes, antennas, echoes];
+pub(super) const CASES: &[AtlasCase] = atlas_cases![meshes, scenes, antennas, echoes];
 
 /// Mesh files, and meshes that reach the tracer in another way.
 pub(in crate::study::atlas) fn meshes(_: Extent) -> Result<Vec<CaseRow>, Failure> {
@@ -28,7 +28,7 @@ pub(in crate::study::atlas) fn meshes(_: Extent) -> Result<Vec<CaseRow>, Failure
     let traced = Trial { stage: "bart-rcs", method: "bart", ..trial };
     let infinite = bodies::mesh(vec![[0.0; 3], [0.0, f64::INFINITY, 0.0], [0.0, 0.0, 1.0]], vec![[0, 1, 2]]);
     let unknown = bodies::mesh(vec![[0.0; 3]; 3], vec![[0, 1, 3]]);
-    let trace = |body: &Mesh| looks::traced(body, &looks::first_order(0.0, 0.0));
+    let trace = |body: &Mesh| rcs_solvers::trace_rcs(body, &rcs_solvers::first_order_request(0.0, 0.0));
     Ok(vec![
         file("a NaN coordinate", "v nan 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n"),
         file("a vertex that is not there", "v 0 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 9\n"),
@@ -59,9 +59,9 @@ pub(in crate::study::atlas) fn antennas(_: Extent) -> Result<Vec<CaseRow>, Failu
     let trial = methods::BART.trial("requests without an answer", "request");
     let plate = bodies::plate(0.3);
     let ask = |change: &dyn Fn(&mut RcsRequest)| {
-        let mut request = looks::first_order(0.0, 0.0);
+        let mut request = rcs_solvers::first_order_request(0.0, 0.0);
         change(&mut request);
-        looks::traced(&plate, &request)
+        rcs_solvers::trace_rcs(&plate, &request)
     };
     Ok(vec![
         trial.must_refuse("range 0", ask(&|r| r.range_m = 0.0)),

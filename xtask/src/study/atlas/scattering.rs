@@ -15,10 +15,10 @@ mod confined;
 mod materials;
 mod references;
 
-use crate::study::atlas::verdict::{Tried, tried};
+use crate::study::atlas::verdict::{AtlasCase, atlas_cases};
 
 /// Cases in the order of docs/physics.md §10.
-pub(super) const CASES: &[Tried] = tried![
+pub(super) const CASES: &[AtlasCase] = atlas_cases![
     far_field::table_over_range,
     far_field::paths_over_range,
     integration::small_phases,

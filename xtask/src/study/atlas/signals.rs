@@ -8,9 +8,9 @@ mod ends;
 mod pairs;
 mod tracking;
 
-use crate::study::atlas::verdict::{Tried, tried};
+use crate::study::atlas::verdict::{AtlasCase, atlas_cases};
 
-pub(super) const CASES: &[Tried] = tried![
+pub(super) const CASES: &[AtlasCase] = atlas_cases![
     ambiguity::velocity,
     ambiguity::range,
     ambiguity::transmitters_in_turn,

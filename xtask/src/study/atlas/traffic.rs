@@ -3,7 +3,7 @@
 mod overlapping;
 mod road;
 
-use crate::study::atlas::verdict::{Tried, tried};
+use crate::study::atlas::verdict::{AtlasCase, atlas_cases};
 
-pub(super) const CASES: &[Tried] =
-    tried![overlapping::boxes, overlapping::twice, overlapping::nearer_than_long, road::brewster];
+pub(super) const CASES: &[AtlasCase] =
+    atlas_cases![overlapping::boxes, overlapping::twice, overlapping::nearer_than_long, road::brewster];

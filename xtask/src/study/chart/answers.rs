@@ -1,8 +1,8 @@
 //! Results of the whole chain by requested accuracy: cost, detections, distance from the truth, and the
 //! probability of the true class.
 
+use crate::study::chart::cost::{Measured, measured};
 use crate::study::chart::scenes::Scene;
-use crate::study::chart::work::{Measured, measured};
 use crate::study::extent::Extent;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -12,7 +12,7 @@ use wayside::{SceneSource, Settings, Summary};
 
 /// Results of one scene at one accuracy.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(in crate::study) struct Answers {
+pub(in crate::study) struct ChainResult {
     pub(super) scene: String,
     pub(super) asked_db: f64,
     /// Processor seconds of the frame including its pictures.
@@ -32,7 +32,7 @@ const QUICK_DB: [f64; 1] = [-10.0];
 const ASKED_DB: [f64; 5] = [-5.0, -10.0, -15.0, -20.0, -25.0];
 
 /// Results of a scene at every accuracy; none if a third-party file is missing.
-pub(super) fn rows(scene: &Scene, folder: &Path, extent: Extent) -> Result<Vec<Answers>, Failure> {
+pub(super) fn rows(scene: &Scene, folder: &Path, extent: Extent) -> Result<Vec<ChainResult>, Failure> {
     let Some(targets) = scene.targets(folder) else { return Ok(vec![]) };
     let asked = match extent {
         Extent::Quick => &QUICK_DB[..],
@@ -41,7 +41,7 @@ pub(super) fn rows(scene: &Scene, folder: &Path, extent: Extent) -> Result<Vec<A
     asked.iter().map(|asked_db| answers(scene.name, &targets, *asked_db, folder)).collect()
 }
 
-fn answers(scene: &str, targets: &str, asked_db: f64, folder: &Path) -> Result<Answers, Failure> {
+fn answers(scene: &str, targets: &str, asked_db: f64, folder: &Path) -> Result<ChainResult, Failure> {
     let (file, out) = (folder.join("scene.toml"), folder.join("out"));
     let text = format!(
         "name = \"chart\"\n[noise]\nnoise_figure_db = 12.0\n{targets}[fidelity]\naccuracy_db = {asked_db}\n"
@@ -56,7 +56,7 @@ fn answers(scene: &str, targets: &str, asked_db: f64, folder: &Path) -> Result<A
         .filter(|target| target.estimate.is_some())
         .filter_map(|target| target.probabilities.of_class(target.class?))
         .collect();
-    Ok(Answers {
+    Ok(ChainResult {
         scene: scene.into(),
         asked_db,
         processor_s: summary.frames_processor_seconds.unwrap_or(summary.frames_seconds),

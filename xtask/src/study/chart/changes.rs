@@ -1,6 +1,6 @@
 //! Changes since an earlier table: errors to their last digit, seconds beyond noise.
 
-use crate::study::table::{RowOf, Table};
+use crate::study::table::{Table, TableRow};
 
 /// Range of the ratios of processor seconds of two runs of the same work, under other load.
 const NOISE: [f64; 2] = [0.7, 1.4];
@@ -8,20 +8,20 @@ const NOISE: [f64; 2] = [0.7, 1.4];
 /// A line for each setting whose error or seconds changed, or that is in only one of the tables.
 pub(in crate::study) fn changes(before: &Table, now: &Table) -> Vec<String> {
     let mut lines: Vec<String> = now.rows().filter_map(|row| change(before, &row)).collect();
-    let is_gone = |row: &RowOf| now.rows().all(|other| key(&other) != key(row));
+    let is_gone = |row: &TableRow| now.rows().all(|other| key(&other) != key(row));
     lines.extend(before.rows().filter(is_gone).map(|row| format!("{}: no longer there", named(&row))));
     lines
 }
 
-fn key<'t>(row: &RowOf<'t>) -> [&'t str; 3] {
+fn key<'t>(row: &TableRow<'t>) -> [&'t str; 3] {
     ["scene", "method", "setting"].map(|column| row.word(column))
 }
 
-fn named(row: &RowOf) -> String {
+fn named(row: &TableRow) -> String {
     key(row).join(" · ")
 }
 
-fn change(before: &Table, row: &RowOf) -> Option<String> {
+fn change(before: &Table, row: &TableRow) -> Option<String> {
     let Some(old) = before.rows().find(|old| key(old) == key(row)) else {
         return Some(format!("{}: new", named(row)));
     };

@@ -1,11 +1,11 @@
 //! Whole frames of every scene with both kinds of echo: path by path with a requested accuracy, and by the
 //! paper's table.
 
+use crate::study::chart::cost::{Cost, measured};
 use crate::study::chart::row::SettingRow;
 use crate::study::chart::scenes::Scene;
-use crate::study::chart::work::{Cost, measured};
 use crate::study::extent::Extent;
-use crate::study::looks;
+use crate::study::rcs_solvers;
 use crate::study::scenes::{
     cube_header, cube_of, frame_of, paths_at, paths_of, scene_of, synthesizer, tables_at,
 };
@@ -60,15 +60,15 @@ struct Reference {
 }
 
 impl Case {
-    fn asked(&self, accuracy_db: f64) -> SceneHeader {
+    fn header_at(&self, accuracy_db: f64) -> SceneHeader {
         let mut header = self.header.clone();
         header.fidelity.accuracy = Accuracy::from_db(accuracy_db);
         header
     }
 
     fn reference(&self) -> Result<Reference, Failure> {
-        let (coarse, fine) = (self.in_parts(PARTS / 2)?, self.in_parts(PARTS)?);
-        let apart_db = db_from_amplitude(looks::relative_error(&wide(&coarse), &wide(&fine)));
+        let (coarse, fine) = (self.traced_in_parts(PARTS / 2)?, self.traced_in_parts(PARTS)?);
+        let apart_db = db_from_amplitude(rcs_solvers::relative_error(&wide(&coarse), &wide(&fine)));
         let name = format!(
             "paths traced anew {PARTS} times in the frame, {FINE_DB} dB asked; {} times differ from it by \
              {apart_db:.1} dB",
@@ -78,8 +78,8 @@ impl Case {
     }
 
     /// The cube with the bodies traced anew at the middle of each part of the frame.
-    fn in_parts(&self, count: u32) -> Result<CubeFrame, Failure> {
-        let whole = self.asked(FINE_DB);
+    fn traced_in_parts(&self, count: u32) -> Result<CubeFrame, Failure> {
+        let whole = self.header_at(FINE_DB);
         let mut part = whole.clone();
         part.radar.waveform.chirps = whole.radar.waveform.chirps / count;
         let mut parts = Vec::new();
@@ -98,17 +98,18 @@ impl Case {
     }
 
     fn by_paths(&self, asked_db: f64, exact: &Reference) -> Result<[SettingRow; 2], Failure> {
-        let header = self.asked(asked_db);
+        let header = self.header_at(asked_db);
         let paths = measured(|| paths_of(&header))?;
         let cube = measured(|| cube_of(&header, &paths.value))?;
         let count = paths.value.paths.len();
         let size = format!("{count} paths, {} kB", count * size_of::<Path>() / 1000);
-        let made = Made { way: "paths", asked_db, size, cost: paths.cost.and(cube.cost), cube: &cube.value };
-        self.compared(&made, exact)
+        let made =
+            FrameCube { way: "paths", asked_db, size, cost: paths.cost.and(cube.cost), cube: &cube.value };
+        self.error_rows(&made, exact)
     }
 
     fn by_tables(&self, exact: &Reference) -> Result<[SettingRow; 2], Failure> {
-        let header = self.asked(TABLE_DB);
+        let header = self.header_at(TABLE_DB);
         let frame = frame_of(&header);
         let tables = measured(|| tables_at(&header, &frame))?;
         let cube = measured(|| {
@@ -118,11 +119,11 @@ impl Case {
         })?;
         let size = size_of_tables(&tables.value);
         let cost = tables.cost.and(cube.cost);
-        self.compared(&Made { way: "table", asked_db: TABLE_DB, size, cost, cube: &cube.value }, exact)
+        self.error_rows(&FrameCube { way: "table", asked_db: TABLE_DB, size, cost, cube: &cube.value }, exact)
     }
 
     /// Two rows: for the whole cube, and for the levels of its map, without phases.
-    fn compared(&self, made: &Made<'_>, exact: &Reference) -> Result<[SettingRow; 2], Failure> {
+    fn error_rows(&self, made: &FrameCube<'_>, exact: &Reference) -> Result<[SettingRow; 2], Failure> {
         let row = |of: &str, error| SettingRow {
             stage: "bart-rcs + fmcw-echo".into(),
             scene: self.name.into(),
@@ -133,8 +134,8 @@ impl Case {
             reference: exact.name.clone(),
             size: made.size.clone(),
         };
-        let whole = looks::relative_error(&wide(made.cube), &wide(&exact.cube));
-        let levels = looks::relative_error(&self.levels(made.cube)?, &self.levels(&exact.cube)?);
+        let whole = rcs_solvers::relative_error(&wide(made.cube), &wide(&exact.cube));
+        let levels = rcs_solvers::relative_error(&self.levels(made.cube)?, &self.levels(&exact.cube)?);
         Ok([row("cube", whole), row("levels", levels)])
     }
 
@@ -147,7 +148,7 @@ impl Case {
 }
 
 /// A cube, with the method and the settings that made it.
-struct Made<'a> {
+struct FrameCube<'a> {
     way: &'static str,
     asked_db: f64,
     size: String,

@@ -1,7 +1,7 @@
 //! The chart's pictures, drawn from its tables.
 
-use crate::study::table::{RowOf, Table};
-use plotting::form::Form;
+use crate::study::table::{Table, TableRow};
+use plotting::layout::Layout;
 use plotting::lines::{Line, LinePlot, Scale};
 use plotting::svg::Svg;
 
@@ -21,10 +21,10 @@ const CAR: &str = "car-suv, 30 m";
 
 /// Processor seconds (logarithmic) over error in dB, which is logarithmic too.
 pub(in crate::study) fn pictures(table: &Table) -> Vec<(&'static str, Svg)> {
-    let rows = |stage: &'static str| move |row: &RowOf<'_>| row.word("stage") == stage;
-    let scattering: Vec<RowOf> = table.rows().filter(rows("bart-rcs")).collect();
-    let frames: Vec<RowOf> = table.rows().filter(rows("bart-rcs + fmcw-echo")).collect();
-    let sums: Vec<RowOf> = table.rows().filter(rows("fmcw-echo")).collect();
+    let rows = |stage: &'static str| move |row: &TableRow<'_>| row.word("stage") == stage;
+    let scattering: Vec<TableRow> = table.rows().filter(rows("bart-rcs")).collect();
+    let frames: Vec<TableRow> = table.rows().filter(rows("bart-rcs + fmcw-echo")).collect();
+    let sums: Vec<TableRow> = table.rows().filter(rows("fmcw-echo")).collect();
     vec![
         ("chart", of_methods(&scattering)),
         ("chart-bodies", of_bodies(&scattering)),
@@ -34,10 +34,10 @@ pub(in crate::study) fn pictures(table: &Table) -> Vec<(&'static str, Svg)> {
 }
 
 /// A line for each method on one body.
-fn of_methods(rows: &[RowOf]) -> Svg {
+fn of_methods(rows: &[TableRow]) -> Svg {
     let has_car = rows.iter().any(|row| row.word("scene") == CAR);
     let body = if has_car { CAR } else { rows.first().map_or("", |row| row.word("scene")) };
-    let rows: Vec<&RowOf> = rows.iter().filter(|row| row.word("scene") == body).collect();
+    let rows: Vec<&TableRow> = rows.iter().filter(|row| row.word("scene") == body).collect();
     let mut lines = lines(rows.iter().map(|row| (row.word("method").to_owned(), *row)));
     for line in &mut lines {
         let of_line = rows.iter().filter(|r| r.word("method") == line.name).map(|r| r.word("setting"));
@@ -51,9 +51,9 @@ fn of_methods(rows: &[RowOf]) -> Svg {
 }
 
 /// The first order of every body, by beams and by dense sampling.
-fn of_bodies(rows: &[RowOf]) -> Svg {
+fn of_bodies(rows: &[TableRow]) -> Svg {
     let first = rows.iter().filter(|row| ["bart, order 1", "po, order 1"].contains(&row.word("method")));
-    let name = |row: &RowOf| {
+    let name = |row: &TableRow| {
         let way = if row.word("method").starts_with("bart") { "beams" } else { "dense sampling" };
         format!("{}: {way}", row.word("scene").trim_end_matches(", 30 m"))
     };
@@ -63,7 +63,7 @@ fn of_bodies(rows: &[RowOf]) -> Svg {
 }
 
 /// Whole frames and their cubes: a line for each scene, from the requested accuracies of paths to the table.
-fn of_frames(rows: &[RowOf]) -> Svg {
+fn of_frames(rows: &[TableRow]) -> Svg {
     let cubes = rows.iter().filter(|row| row.word("method").ends_with("cube"));
     let mut lines = lines(cubes.map(|row| (row.word("scene").to_owned(), row)));
     lines.iter_mut().for_each(from_the_right);
@@ -74,14 +74,14 @@ fn of_frames(rows: &[RowOf]) -> Svg {
 
 /// Orders the points of a line, each with its label, by decreasing error.
 fn from_the_right(line: &mut Line) {
-    let mut points: Vec<([f64; 2], String)> = line.points.drain(..).zip(line.words.drain(..)).collect();
+    let mut points: Vec<([f64; 2], String)> = line.points.drain(..).zip(line.tooltips.drain(..)).collect();
     points.sort_by(|(a, _), (b, _)| b[0].total_cmp(&a[0]));
-    (line.points, line.words) = points.into_iter().unzip();
+    (line.points, line.tooltips) = points.into_iter().unzip();
 }
 
 /// Sums of many paths.
-fn of_sums(rows: &[RowOf]) -> Svg {
-    let name = |row: &RowOf| format!("{}: {}", row.word("scene"), row.word("method"));
+fn of_sums(rows: &[TableRow]) -> Svg {
+    let name = |row: &TableRow| format!("{}: {}", row.word("scene"), row.word("method"));
     let lines = lines(rows.iter().map(|row| (name(row), row)));
     let note = "The same paths summed by transforms of the accuracy asked, and directly.";
     plot("Chart: processor seconds against error of sums", [note.into(), BETTER.into()], lines)
@@ -111,7 +111,7 @@ pub(in crate::study) fn picture_of_answers(answers: &Table) -> Svg {
         y_scale: Scale::Logarithmic,
         lines,
     };
-    plot.draw(Form::Wide)
+    plot.draw(Layout::Wide)
 }
 
 /// Smallest position error drawn, below the accuracy of any of these radars.
@@ -139,7 +139,7 @@ fn method(name: &str, settings: &[&str]) -> String {
     format!("{named}: {settings}").replace(": -", ": −").replace("… -", "… −")
 }
 
-fn lines<'r, 't: 'r>(rows: impl Iterator<Item = (String, &'r RowOf<'t>)>) -> Vec<Line> {
+fn lines<'r, 't: 'r>(rows: impl Iterator<Item = (String, &'r TableRow<'t>)>) -> Vec<Line> {
     let mut lines: Vec<Line> = Vec::new();
     for (name, row) in rows {
         let place = [row.number("error_db").max(LEAST_DB), row.number("processor_s")];
@@ -149,7 +149,7 @@ fn lines<'r, 't: 'r>(rows: impl Iterator<Item = (String, &'r RowOf<'t>)>) -> Vec
 }
 
 /// Setting, error and processor seconds of a row.
-fn words(row: &RowOf) -> String {
+fn words(row: &TableRow) -> String {
     format!("{}: {} dB, {}", row.word("setting"), row.word("error_db"), time(row.number("processor_s")))
 }
 
@@ -164,10 +164,15 @@ fn add(lines: &mut Vec<Line>, name: &str, place: [f64; 2], words: String) {
     match lines.iter_mut().find(|line| line.name == name) {
         Some(line) => {
             line.points.push(place);
-            line.words.push(words);
+            line.tooltips.push(words);
         }
         None => {
-            lines.push(Line { name: name.into(), points: vec![place], marked: true, words: vec![words] });
+            lines.push(Line {
+                name: name.into(),
+                points: vec![place],
+                has_markers: true,
+                tooltips: vec![words],
+            });
         }
     }
 }
@@ -184,7 +189,7 @@ fn plot(title: &str, notes: [String; 2], lines: Vec<Line>) -> Svg {
         y_scale: Scale::Logarithmic,
         lines,
     };
-    plot.draw(Form::Wide)
+    plot.draw(Layout::Wide)
 }
 
 #[cfg(test)]

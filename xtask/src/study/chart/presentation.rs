@@ -1,9 +1,9 @@
 //! The chart as tables and page.
 
 use crate::study::chart::Chart;
-use crate::study::chart::answers::Answers;
-use crate::study::chart::outside::RivalRow;
+use crate::study::chart::answers::ChainResult;
 use crate::study::chart::receiver::EstimateRow;
+use crate::study::chart::rivals::RivalRow;
 use crate::study::chart::row::SettingRow;
 use crate::study::extent::Extent;
 use crate::study::table::{self, csv};
@@ -50,38 +50,38 @@ pub(in crate::study) fn tables(chart: &Chart) -> Vec<(&'static str, String)> {
     ]
 }
 
-fn told(value: Option<f64>, digits: usize) -> String {
+fn number_or_blank(value: Option<f64>, digits: usize) -> String {
     value.map_or(String::new(), |v| format!("{v:.digits$}"))
 }
 
 fn fields(row: &SettingRow) -> Vec<String> {
     let error = table::decibels(Some(row.error));
     let [seconds, processor_s] = [row.cost.seconds, row.cost.processor_s].map(|s| format!("{s:.3e}"));
-    let peak = told(row.cost.peak_mib, 0);
+    let peak = number_or_blank(row.cost.peak_mib, 0);
     let words = [&row.stage, &row.scene, &row.method, &row.setting, &seconds, &peak, &error, &row.reference];
     words.into_iter().chain([&processor_s, &row.size]).cloned().collect()
 }
 
-fn answer_fields(row: &Answers) -> Vec<String> {
-    let error = |at: usize| told(row.errors.map(|errors| errors[at]), 3);
+fn answer_fields(row: &ChainResult) -> Vec<String> {
+    let error = |at: usize| number_or_blank(row.errors.map(|errors| errors[at]), 3);
     vec![
         row.scene.clone(),
         format!("{:.0}", row.asked_db),
         format!("{:.2}", row.processor_s),
-        told(row.peak_mib, 0),
+        number_or_blank(row.peak_mib, 0),
         row.found.to_string(),
         row.to_be_found.to_string(),
         error(0),
         error(1),
         error(2),
-        told(row.probability, 2),
+        number_or_blank(row.probability, 2),
     ]
 }
 
 fn estimate_fields(row: &EstimateRow) -> Vec<String> {
     let head = [row.array.clone(), format!("{:.0}", row.snr_db), row.method.clone()];
     let figures = [format!("{:.3}", row.processor_ms), format!("{:.3}", row.found)];
-    head.into_iter().chain(figures).chain(row.over_bound_db.map(|db| told(db, 2))).collect()
+    head.into_iter().chain(figures).chain(row.over_bound_db.map(|db| number_or_blank(db, 2))).collect()
 }
 
 fn rival_fields(row: &RivalRow) -> Vec<String> {
@@ -92,7 +92,7 @@ fn rival_fields(row: &RivalRow) -> Vec<String> {
         seconds(row.ours_s),
         row.rival.clone(),
         row.rival_s.map_or(String::new(), seconds),
-        told(row.error.map(db_from_amplitude), 0),
+        number_or_blank(row.error.map(db_from_amplitude), 0),
     ]
 }
 

@@ -1,7 +1,7 @@
 //! Estimates of a single point by the receiver's two methods: peaks of the map, and maximum likelihood on the
 //! samples around them.
 
-use crate::study::chart::work::{Cost, measured};
+use crate::study::chart::cost::{Cost, measured};
 use crate::study::extent::Extent;
 use crate::study::pages::measures::signals::bound_trials::{over_bound_db, radar};
 use crate::study::pages::measures::signals::common::{elements_3x4, elements_6x8};
@@ -34,7 +34,7 @@ pub(super) fn rows(extent: Extent) -> Result<Vec<EstimateRow>, Failure> {
             let mut header = radar(elements.clone(), refine);
             header.dsp.training_cells = [4, 6];
             for snr_db in [10.0, 20.0, 30.0] {
-                let trials = extent.of(TRIALS);
+                let trials = extent.case_count(TRIALS);
                 let found = measured(|| Ok(over_bound_db(&header, snr_db, trials)))?;
                 let (over_bound_db, share) = found.value;
                 let Cost { processor_s, .. } = found.cost;

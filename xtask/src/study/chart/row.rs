@@ -1,6 +1,6 @@
 //! Results of the study `chart` for one case.
 
-use crate::study::chart::work::Cost;
+use crate::study::chart::cost::Cost;
 use serde::{Deserialize, Serialize};
 
 /// One setting of one method on one piece of work.

@@ -1,9 +1,9 @@
 //! Scattering at one aspect: beams against dense sampling and rays.
 
+use crate::study::chart::cost::{Cost, Measured, measured};
 use crate::study::chart::row::SettingRow;
 use crate::study::chart::subjects::Subject;
-use crate::study::chart::work::{Cost, Measured, measured};
-use crate::study::looks;
+use crate::study::rcs_solvers;
 use artifact::Accuracy;
 use artifact::settings::{NodeRule, Sides};
 use bart_rcs::{RcsRequest, RcsResult};
@@ -34,12 +34,12 @@ fn request(subject: &Subject, bounces: u8, accuracy_db: f64) -> RcsRequest {
         bounces,
         nodes: NodeRule::Exit,
         accuracy: Accuracy::from_db(accuracy_db),
-        ..looks::first_order(subject.azimuth_deg, subject.elevation_deg)
+        ..rcs_solvers::first_order_request(subject.azimuth_deg, subject.elevation_deg)
     }
 }
 
 fn traced(subject: &Subject, bounces: u8, accuracy_db: f64) -> Result<Measured<RcsResult>, Failure> {
-    measured(|| looks::traced(&subject.body, &request(subject, bounces, accuracy_db)))
+    measured(|| rcs_solvers::trace_rcs(&subject.body, &request(subject, bounces, accuracy_db)))
 }
 
 fn sampled(
@@ -48,7 +48,7 @@ fn sampled(
     shadow_levels: u32,
 ) -> Result<Measured<Vec<Complex64>>, Failure> {
     let sampling = po::Sampling { per_wavelength, shadow_levels, sides: Sides::Two, bracket: Bracket::Plain };
-    let aspect = looks::aspect(&request(subject, 1, FINE_DB));
+    let aspect = rcs_solvers::aspect(&request(subject, 1, FINE_DB));
     measured(|| {
         let found =
             po::amplitude(&subject.body, &aspect, &FREQUENCIES_HZ, &sampling).map_err(Failure::refused)?;
@@ -60,8 +60,9 @@ fn sampled(
 type Orders = Vec<Vec<Complex64>>;
 
 fn shot(subject: &Subject, per_wavelength: f64) -> Result<Measured<Orders>, Failure> {
-    let shooting = sbr::Shooting { per_wavelength, bounces: 3, sides: Sides::Two, bracket: Bracket::Plain };
-    let aspect = looks::aspect(&request(subject, 3, FINE_DB));
+    let shooting =
+        sbr::RaySettings { per_wavelength, bounces: 3, sides: Sides::Two, bracket: Bracket::Plain };
+    let aspect = rcs_solvers::aspect(&request(subject, 3, FINE_DB));
     measured(|| {
         let found =
             sbr::amplitude(&subject.body, &aspect, &FREQUENCIES_HZ, &shooting).map_err(Failure::refused)?;
@@ -162,7 +163,7 @@ impl Body<'_> {
             method: method.into(),
             setting,
             cost,
-            error: looks::relative_error(amplitude_m, reference.amplitude_m),
+            error: rcs_solvers::relative_error(amplitude_m, reference.amplitude_m),
             reference: reference.name.clone(),
             size: String::new(),
         }

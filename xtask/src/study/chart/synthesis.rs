@@ -1,9 +1,9 @@
 //! Echoes of many paths: the formulas, the sum by recurrence, and sums by transforms.
 
+use crate::study::chart::cost::{Cost, measured};
 use crate::study::chart::row::SettingRow;
-use crate::study::chart::work::{Cost, measured};
 use crate::study::extent::Extent;
-use crate::study::looks;
+use crate::study::rcs_solvers;
 use crate::study::scenes::scene_of;
 use artifact::paths::Path;
 use artifact::{Accuracy, Radar};
@@ -41,7 +41,7 @@ pub(super) fn rows(count: usize) -> Result<Vec<SettingRow>, Failure> {
     }
     for asked_db in ASKED_DB {
         let found = measured(|| Ok(sum.by_transforms(asked_db)))?;
-        let error = looks::relative_error(&found.value, &direct.value);
+        let error = rcs_solvers::relative_error(&found.value, &direct.value);
         let setting = format!("{asked_db} dB asked");
         rows.push(sum.row("echo, transforms", setting, found.cost, error, "echo, recurrence"));
     }
@@ -74,7 +74,7 @@ impl Sum<'_> {
             fmcw_echo::reference::cube_sample(self.radar, centre_hz, self.paths, at, None)
         });
         let found: Vec<Complex64> = places.iter().map(|place| cube[*place]).collect();
-        looks::relative_error(&found, &exact.collect::<Vec<_>>())
+        rcs_solvers::relative_error(&found, &exact.collect::<Vec<_>>())
     }
 
     fn by_transforms(&self, asked_db: f64) -> Vec<Complex64> {
@@ -91,7 +91,7 @@ impl Sum<'_> {
         let slow = measured(|| Ok(fmcw_echo::reference::cube(&radar, centre_hz, self.paths)))?;
         let sum = DirectSum::new(&radar, centre_hz, self.paths);
         let fast = measured(|| Ok((0..8).flat_map(|chirp| sum.row(0, chirp)).collect::<Vec<_>>()))?;
-        let error = looks::relative_error(&fast.value, &slow.value);
+        let error = rcs_solvers::relative_error(&fast.value, &slow.value);
         let row = |method, setting: &str, cost, reference| SettingRow {
             scene: format!("{} paths, 1 × 8 × 256, one thread", self.paths.len()),
             ..self.row(method, setting.into(), cost, error, reference)

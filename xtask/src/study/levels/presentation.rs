@@ -5,7 +5,7 @@ use crate::study::levels::row::LevelRow;
 use crate::study::table::{self, Table};
 use artifact::settings::Detail;
 use artifact::units::db_from_amplitude;
-use plotting::form::Form;
+use plotting::layout::Layout;
 use plotting::lines::{Line, LinePlot, Scale};
 use plotting::svg::Svg;
 
@@ -60,13 +60,13 @@ pub(in crate::study) fn page(rows: &[LevelRow], extent: Extent) -> String {
          are those of the processor, all threads; the radar has 3 × 4 elements, 128 chirps of 256 samples\n\
          where nothing else is said.\n\n\
          ![processor seconds of reducing and echo against accuracy](../pictures/levels-of-detail.svg)\n\n{}",
-        told_against_true(rows),
+        stated_against_true(rows),
         table::markdown(&header, rows.iter().map(fields))
     )
 }
 
 /// Sentence about the accuracy of the reported errors: ratio of reported to true error.
-fn told_against_true(rows: &[LevelRow]) -> String {
+fn stated_against_true(rows: &[LevelRow]) -> String {
     let pairs = rows.iter().filter_map(|row| row.told.zip(row.error));
     let mut above_db: Vec<f64> = pairs.map(|(told, error)| db_from_amplitude(told / error)).collect();
     above_db.sort_by(f64::total_cmp);
@@ -97,8 +97,8 @@ pub(in crate::study) fn picture(table: &Table) -> Svg {
             .filter(|row| row.word("scene") == first && row.word("level") == level.name())
             .map(|row| [row.number("asked_db"), row.number("reduce_seconds") + row.number("echo_seconds")])
             .collect(),
-        marked: true,
-        words: vec![],
+        has_markers: true,
+        tooltips: vec![],
     };
     let plot = LinePlot {
         title: "Levels of detail: processor seconds of reducing the paths and of the echo".into(),
@@ -109,7 +109,7 @@ pub(in crate::study) fn picture(table: &Table) -> Svg {
         y_scale: Scale::Logarithmic,
         lines: [Detail::Paths, Detail::Merged, Detail::Centres, Detail::Auto].map(line).to_vec(),
     };
-    plot.draw(Form::Wide)
+    plot.draw(Layout::Wide)
 }
 
 /// Description of a level of detail.

@@ -3,25 +3,25 @@
 
 use crate::project::project_root;
 use crate::study::extent::Extent;
-use crate::study::pages::part::Part;
-use crate::study::sources::{CHAIN, Places};
+use crate::study::pages::page_section::PageSection;
+use crate::study::sources::{CHAIN, SourcePaths};
 use std::path::PathBuf;
-use wayside::host::call_off::CallOff;
+use wayside::host::cancellation::Cancellation;
 use wayside::host::failure::Failure;
 use wayside::host::files;
 use wayside::sweep::{self, Outcome, Settings};
 use wayside::{Allowance, CacheLocation};
 
 /// Sources that the figures depend on.
-pub(crate) const SOURCES: Places =
+pub(crate) const SOURCES: SourcePaths =
     &[CHAIN, &["crates/evaluation", "crates/sweeps/src", "scenes/studies", file!()]];
 
 const SEEDS: [u64; 2] = [1, 2];
 
 /// Answer of each seed, details of the first; the picture only for the whole study. There is no quick form:
 /// kept runs are not repeated.
-pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
-    let mut part = Part::default();
+pub(crate) fn section(extent: Extent) -> Result<PageSection, Failure> {
+    let mut part = PageSection::default();
     let mut chosen = vec![];
     for seed in SEEDS {
         let Outcome { answer, details, chosen: design } = carried_out(seed)?;
@@ -54,7 +54,7 @@ fn carried_out(seed: u64) -> Result<Outcome, Failure> {
         memory: Allowance::of(None),
         command: "cargo xtask study deployment".into(),
         tell: &|_| {},
-        call_off: CallOff::default(),
+        cancellation: Cancellation::default(),
     };
     let outcome = sweep::run(&settings)?;
     outcome.ok_or_else(|| Failure::Refused("runs of the study are missing".into()))

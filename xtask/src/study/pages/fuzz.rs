@@ -2,16 +2,16 @@
 
 use crate::fuzz_ledger;
 use crate::study::extent::Extent;
-use crate::study::pages::part::Part;
-use crate::study::sources::Places;
+use crate::study::pages::page_section::PageSection;
+use crate::study::sources::SourcePaths;
 use wayside::host::failure::Failure;
 
 /// Sources that the figures depend on.
-pub(crate) const SOURCES: Places = &[&["fixtures/fuzz.csv", "xtask/src/fuzz_ledger.rs", file!()]];
+pub(crate) const SOURCES: SourcePaths = &[&["fixtures/fuzz.csv", "xtask/src/fuzz_ledger.rs", file!()]];
 
 /// Makes the part; the ledger is one, whatever the extent.
-pub(crate) fn part(_: Extent) -> Result<Part, Failure> {
-    let mut part = Part::default();
+pub(crate) fn section(_: Extent) -> Result<PageSection, Failure> {
+    let mut part = PageSection::default();
     part.line(fuzz_ledger::table()?.trim_end());
     Ok(part)
 }

@@ -6,15 +6,15 @@ mod simulated;
 
 use crate::project::project_root;
 use crate::study::extent::Extent;
-use crate::study::pages::part::Part;
-use crate::study::pages::real_captures::room::{Echo, Ours, made};
-use crate::study::sources::{Places, SIGNALS};
+use crate::study::pages::page_section::PageSection;
+use crate::study::pages::real_captures::room::{Echo, ProcessedFrame, cube_of_command};
+use crate::study::sources::{SIGNALS, SourcePaths};
 use artifact::cube::{CubeFrame, CubeHeader};
 use std::path::Path;
 use wayside::host::failure::Failure;
 
 /// Sources that the figures depend on.
-pub(crate) const SOURCES: Places = &[
+pub(crate) const SOURCES: SourcePaths = &[
     SIGNALS,
     &[
         "fixtures/captures",
@@ -26,29 +26,34 @@ pub(crate) const SOURCES: Places = &[
 ];
 
 /// Makes the part; there is one frame, whatever the extent.
-pub(crate) fn part(_: Extent) -> Result<Part, Failure> {
+pub(crate) fn section(_: Extent) -> Result<PageSection, Failure> {
     let folder = project_root().join("fixtures/captures");
-    let ours = Ours::of(&imported(&folder)?)?;
+    let ours = ProcessedFrame::of(&imported(&folder)?)?;
     let echoes = echoes(&folder.join("room.numpy.csv"))?;
-    let mut part = Part::default();
+    let mut part = PageSection::default();
     table_of_echoes(&mut part, &ours, &echoes)?;
     simulated::rows(&mut part, &folder, &ours, &echoes)?;
     table_of_map(&mut part, &ours, &levels(&folder.join("room.numpy.npy"))?)?;
-    let Ours { header, map, seen, .. } = &ours;
-    let near = seen.points.iter().filter(|p| p.range_m < header.dsp.nearest_m).count();
+    let ProcessedFrame { header, map, detections, .. } = &ours;
+    let near = detections.points.iter().filter(|p| p.range_m < header.dsp.nearest_m).count();
     part.line(format!(
         "\n{} cells above the threshold of {} tested, {} points ({near} nearer than `nearest_m`), {} objects.",
         map.detections,
         map.cells,
-        seen.points.len(),
-        seen.objects.len()
+        detections.points.len(),
+        detections.objects.len()
     ));
     Ok(part)
 }
 
 /// The recording as read by `import`.
 fn imported(folder: &Path) -> Result<(CubeHeader, CubeFrame), Failure> {
-    made(&["import".as_ref(), &folder.join("room.bin"), "--scene".as_ref(), &folder.join("room.toml")])
+    cube_of_command(&[
+        "import".as_ref(),
+        &folder.join("room.bin"),
+        "--scene".as_ref(),
+        &folder.join("room.toml"),
+    ])
 }
 
 fn echoes(file: &Path) -> Result<Vec<Echo>, Failure> {
@@ -69,7 +74,7 @@ fn levels(file: &Path) -> Result<Vec<f64>, Failure> {
     Ok(bytes[behind..].as_chunks::<4>().0.iter().map(|b| f64::from(f32::from_le_bytes(*b))).collect())
 }
 
-fn table_of_echoes(part: &mut Part, ours: &Ours, echoes: &[Echo]) -> Result<(), Failure> {
+fn table_of_echoes(part: &mut PageSection, ours: &ProcessedFrame, echoes: &[Echo]) -> Result<(), Failure> {
     part.head(&[
         "echo",
         "",
@@ -104,7 +109,7 @@ fn table_of_echoes(part: &mut Part, ours: &Ours, echoes: &[Echo]) -> Result<(), 
 const WORST_DB: f64 = 1e-3;
 const WITHIN_DB: f64 = 60.0;
 
-fn table_of_map(part: &mut Part, ours: &Ours, numpys: &[f64]) -> Result<(), Failure> {
+fn table_of_map(part: &mut PageSection, ours: &ProcessedFrame, numpys: &[f64]) -> Result<(), Failure> {
     let (header, channels) = (&ours.header, ours.header.radar.map_channels());
     let power = dsp::power_map(header, &ours.map).map_err(Failure::refused)?;
     let levels: Vec<f64> = power.iter().map(|power| header.map_level_db(*power, channels)).collect();

@@ -5,8 +5,8 @@ mod differences; // values of two results, compared
 mod variants; // programs and their command lines
 
 use crate::study::extent::Extent;
-use crate::study::pages::part::Part;
-use crate::study::sources::{CHAIN, Places};
+use crate::study::pages::page_section::PageSection;
+use crate::study::sources::{CHAIN, SourcePaths};
 use differences::{Differences, identical};
 use std::path::Path;
 use variants::Variant;
@@ -14,7 +14,7 @@ use wayside::host::failure::Failure;
 use wayside::host::progress::Work;
 
 /// Sources that the figures depend on.
-pub(crate) const SOURCES: Places =
+pub(crate) const SOURCES: SourcePaths =
     &[CHAIN, &["crates/po-sbr", "xtask/src/study/pages/same_bytes", "xtask/src/study/pages/same_bytes.rs"]];
 
 /// A car with 3 × 4 elements.
@@ -81,9 +81,9 @@ const FILES: [&str; 11] = [
     "table.npy",
 ];
 
-pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
+pub(crate) fn section(extent: Extent) -> Result<PageSection, Failure> {
     let folder = tempfile::tempdir().map_err(|e| Failure::System(format!("no temporary folder: {e}")))?;
-    let (mut part, variants) = (Part::default(), variants::all(extent)?);
+    let (mut part, variants) = (PageSection::default(), variants::all(extent)?);
     part.head(&[
         "program",
         "files with the same bytes",
@@ -95,10 +95,10 @@ pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
         "S of the table, dB",
     ]);
     let work = Work::begin("variants");
-    let reference = made(&variants[0], folder.path(), 0)?;
+    let reference = run_variant(&variants[0], folder.path(), 0)?;
     for (number, variant) in variants.iter().enumerate() {
         work.at(number, variants.len());
-        let made = if number == 0 { reference.clone() } else { made(variant, folder.path(), number)? };
+        let made = if number == 0 { reference.clone() } else { run_variant(variant, folder.path(), number)? };
         let same = FILES.iter().filter(|file| identical(&reference.join(file), &made.join(file))).count();
         let differences = Differences::of(&reference, &made)?;
         let mut cells = vec![variant.name.to_owned(), format!("{same} of {}", FILES.len())];
@@ -112,7 +112,7 @@ pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
 }
 
 /// Makes all files of a variant in a separate folder.
-fn made(variant: &Variant, folder: &Path, number: usize) -> Result<std::path::PathBuf, Failure> {
+fn run_variant(variant: &Variant, folder: &Path, number: usize) -> Result<std::path::PathBuf, Failure> {
     let out = folder.join(number.to_string());
     let system = |e: std::io::Error| Failure::System(format!("{}: {e}", out.display()));
     std::fs::create_dir(&out).map_err(system)?;

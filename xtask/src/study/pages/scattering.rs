@@ -4,7 +4,7 @@ mod bodies;
 mod frames;
 mod roads;
 pub(crate) mod continuity;
-pub(crate) mod estimates_of_errors;
+pub(crate) mod error_estimates;
 pub(crate) mod gates;
 pub(crate) mod published_levels;
 pub(crate) mod wheels;

@@ -2,23 +2,23 @@
 //! finest that memory allows, and the accuracy that each result needs.
 
 mod scenes;
-mod answers;
+mod run_results;
 mod changes;
 mod needs;
 
 use crate::study::extent::Extent;
-use crate::study::pages::part::Part;
-use crate::study::sources::{CHAIN, Places, RUN};
-use answers::{Answer, Answers};
+use crate::study::pages::page_section::PageSection;
+use crate::study::sources::{CHAIN, RUN, SourcePaths};
 use artifact::goal::Goal;
 use changes::Changes;
 use needs::Measures;
+use run_results::{RunResult, RunResults};
 use scenes::Case;
 use wayside::host::failure::Failure;
 use wayside::host::progress::note;
 
 /// Sources that the figures depend on.
-pub(crate) const SOURCES: Places =
+pub(crate) const SOURCES: SourcePaths =
     &[CHAIN, RUN, &["crates/classifier", "scenes", "xtask/src/study/pages/sensitivity", file!()]];
 
 /// Tested accuracies, coarsest first, dB.
@@ -29,20 +29,20 @@ const OTHER_NOISE: u64 = 1001;
 /// Runs of one scene.
 struct Runs {
     name: String,
-    reference: Answer,
+    reference: RunResult,
     /// Run at the coarsest tested accuracy with other noise.
-    noise: Answer,
+    noise: RunResult,
     /// Runs in the order of [`TRIED_DB`], those coarser than the reference.
-    tried: Vec<Answer>,
+    tried: Vec<RunResult>,
 }
 
-pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
-    let answers = Answers::open(SOURCES)?;
+pub(crate) fn section(extent: Extent) -> Result<PageSection, Failure> {
+    let results = RunResults::open(SOURCES)?;
     let all: Vec<Runs> =
-        scenes::cases(extent)?.iter().map(|case| runs(&answers, case)).collect::<Result<_, _>>()?;
+        scenes::cases(extent)?.iter().map(|case| runs(&results, case)).collect::<Result<_, _>>()?;
     let every: Vec<&Runs> = all.iter().collect();
     let followed: Vec<&Runs> = all.iter().filter(|run| !run.reference.tracks.is_empty()).collect();
-    let mut part = Part::default();
+    let mut part = PageSection::default();
     part.line("## Objects\n");
     table(&mut part, &every, |a| &a.truth_of_objects, objects_of);
     part.line("\n## Tracks\n");
@@ -54,10 +54,10 @@ pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
     Ok(part)
 }
 
-fn runs(answers: &Answers, case: &Case) -> Result<Runs, Failure> {
+fn runs(results: &RunResults, case: &Case) -> Result<Runs, Failure> {
     let at = |accuracy_db, seed| {
         note(format!("{}, {accuracy_db} dB", case.name));
-        answers.of(case, accuracy_db, seed)
+        results.of(case, accuracy_db, seed)
     };
     let coarser = TRIED_DB.iter().filter(|db| **db > case.reference_db);
     let tried = coarser.map(|db| at(*db, None)).collect::<Result<_, _>>()?;
@@ -66,31 +66,31 @@ fn runs(answers: &Answers, case: &Case) -> Result<Runs, Failure> {
 }
 
 /// Kind of results of a scene: its objects or its tracks.
-type Telling = fn(&Answer) -> &answers::Told;
+type EstimateSelector = fn(&RunResult) -> &run_results::EstimatesByBody;
 
-fn objects_of(answer: &Answer) -> &answers::Told {
-    &answer.objects
+fn objects_of(result: &RunResult) -> &run_results::EstimatesByBody {
+    &result.objects
 }
 
-fn tracks_of(answer: &Answer) -> &answers::Told {
-    &answer.tracks
+fn tracks_of(result: &RunResult) -> &run_results::EstimatesByBody {
+    &result.tracks
 }
 
 /// Changes of an accuracy against the reference, of all runs together.
-fn changed(all: &[&Runs], index: usize, telling: Telling) -> Changes {
-    let of = |run: &&Runs| Some(Changes::between(telling(&run.reference), telling(run.tried.get(index)?)));
+fn changed(all: &[&Runs], index: usize, select: EstimateSelector) -> Changes {
+    let of = |run: &&Runs| Some(Changes::between(select(&run.reference), select(run.tried.get(index)?)));
     all.iter().filter_map(of).fold(Changes::default(), Changes::and)
 }
 
 /// Changes between two draws of the receiver's noise, at the coarsest accuracy.
-fn by_noise(all: &[&Runs], telling: Telling) -> Changes {
-    let of = |run: &&Runs| Some(Changes::between(telling(run.tried.first()?), telling(&run.noise)));
+fn by_noise(all: &[&Runs], select: EstimateSelector) -> Changes {
+    let of = |run: &&Runs| Some(Changes::between(select(run.tried.first()?), select(&run.noise)));
     all.iter().filter_map(of).fold(Changes::default(), Changes::and)
 }
 
 /// The reference against the truth.
-fn errors(all: &[&Runs], truth: Telling, telling: Telling) -> Changes {
-    let of = |run: &&Runs| Changes::between(truth(&run.reference), telling(&run.reference));
+fn errors(all: &[&Runs], truth: EstimateSelector, select: EstimateSelector) -> Changes {
+    let of = |run: &&Runs| Changes::between(truth(&run.reference), select(&run.reference));
     all.iter().map(of).fold(Changes::default(), Changes::and)
 }
 
@@ -112,13 +112,13 @@ const OF_NOISE: &str = "−10 dB, other noise";
 const OF_TRUTH: &str = "the finest, against truth";
 
 /// Adds the rows of each group and of all.
-fn table(part: &mut Part, all: &[&Runs], truth: Telling, telling: Telling) {
+fn table(part: &mut PageSection, all: &[&Runs], truth: EstimateSelector, select: EstimateSelector) {
     part.head(&COLUMNS);
     for (name, group) in groups(all) {
-        rows(part, name, &group, telling);
+        rows(part, name, &group, select);
     }
-    rows(part, "all", all, telling);
-    row(part, "all", OF_TRUTH, &errors(all, truth, telling));
+    rows(part, "all", all, select);
+    row(part, "all", OF_TRUTH, &errors(all, truth, select));
 }
 
 /// Runs of scenes that are reported together, in order.
@@ -133,17 +133,17 @@ fn groups<'r>(all: &[&'r Runs]) -> Vec<(&'r str, Vec<&'r Runs>)> {
     groups
 }
 
-fn rows(part: &mut Part, name: &str, group: &[&Runs], telling: Telling) {
+fn rows(part: &mut PageSection, name: &str, group: &[&Runs], select: EstimateSelector) {
     for (index, accuracy_db) in TRIED_DB.iter().enumerate() {
-        let changes = changed(group, index, telling);
+        let changes = changed(group, index, select);
         if changes.there > 0 {
             row(part, name, &decibels(*accuracy_db), &changes);
         }
     }
-    row(part, name, OF_NOISE, &by_noise(group, telling));
+    row(part, name, OF_NOISE, &by_noise(group, select));
 }
 
-fn row(part: &mut Part, name: &str, accuracy: &str, changes: &Changes) {
+fn row(part: &mut PageSection, name: &str, accuracy: &str, changes: &Changes) {
     let Changes { there, lost, gained, .. } = changes;
     let counts = [there, lost, gained].map(usize::to_string);
     let rms = |values: &[f64], digits: usize| {
@@ -157,7 +157,7 @@ fn row(part: &mut Part, name: &str, accuracy: &str, changes: &Changes) {
 }
 
 /// Adds the coarsest accuracy that suffices for each result, and whether the program requests it.
-fn needs(part: &mut Part, all: &[&Runs]) {
+fn needs(part: &mut PageSection, all: &[&Runs]) {
     part.head(&["`for`", "`accuracy_db`", "measured"]);
     for goal in Goal::ALL {
         let asked_db = goal.accuracy().db();
@@ -167,7 +167,7 @@ fn needs(part: &mut Part, all: &[&Runs]) {
             (_, Some(db)) => decibels(db),
             (_, None) => format!("finer than {}", decibels(TRIED_DB[TRIED_DB.len() - 1])),
         };
-        let to_ask_db = needs::to_ask(goal, |goal| needed_db(goal, all));
+        let to_ask_db = needs::accuracy_to_request(goal, |goal| needed_db(goal, all));
         if goal != Goal::Cube && to_ask_db.is_none_or(|db| (db - asked_db).abs() > 1e-9) {
             part.complain(format!("`{}` asks for {asked_db} dB, measured: {found}", goal.name()));
         }
@@ -177,28 +177,28 @@ fn needs(part: &mut Part, all: &[&Runs]) {
 
 /// The coarsest tested accuracy that suffices for a result; `None` if the finest does not.
 fn needed_db(goal: Goal, all: &[&Runs]) -> Option<f64> {
-    let (truth, telling): (Telling, Telling) = match goal {
+    let (truth, select): (EstimateSelector, EstimateSelector) = match goal {
         Goal::Tracks => (|a| &a.truth_of_tracks, tracks_of),
         Goal::Cube | Goal::Detection | Goal::Class => (|a| &a.truth_of_objects, objects_of),
     };
     let holds = |index: usize| {
         // Measures of the scenes that were run at this accuracy.
         let tried: Vec<&Runs> = all.iter().copied().filter(|run| run.tried.len() > index).collect();
-        let measures = Measures { errors: errors(&tried, truth, telling), noise: by_noise(&tried, telling) };
-        let changes = changed(&tried, index, telling);
-        (changes.there >= needs::ENOUGH).then(|| needs::hold(goal, &changes, &measures))
+        let measures = Measures { errors: errors(&tried, truth, select), noise: by_noise(&tried, select) };
+        let changes = changed(&tried, index, select);
+        (changes.there >= needs::ENOUGH).then(|| needs::result_holds(goal, &changes, &measures))
     };
     needs::coarsest(&TRIED_DB, holds)
 }
 
-fn seconds(part: &mut Part, all: &[&Runs]) {
+fn seconds(part: &mut PageSection, all: &[&Runs]) {
     let tried = TRIED_DB.map(decibels);
     let columns: Vec<&str> = tried.iter().map(String::as_str).collect();
     part.head(&[&["scenes, processor seconds"], columns.as_slice(), &["the finest"]].concat());
     for (name, group) in groups(all) {
         let sum = |of: &dyn Fn(&Runs) -> f64| group.iter().map(|run| of(run)).sum::<f64>();
         let tried = (0..TRIED_DB.len())
-            .map(|index| sum(&|run| run.tried.get(index).map_or(0.0, |answer| answer.seconds)));
+            .map(|index| sum(&|run| run.tried.get(index).map_or(0.0, |result| result.seconds)));
         let all = tried.chain([sum(&|run| run.reference.seconds)]);
         let cells = all.map(|s| if s > 0.0 { format!("{s:.0}") } else { "–".to_owned() });
         part.row(&[name.to_owned()].into_iter().chain(cells).collect::<Vec<_>>());

@@ -1,9 +1,9 @@
 //! The fast sum over paths against the formulas, sample by sample.
 
-use crate::study::looks;
+use crate::study::rcs_solvers;
 use crate::study::scenes::{cube_of, paths_of, scene_of, with_point};
-use crate::study::search::contest::{Outcome, Random, judged};
-use crate::study::search::drawn_bodies::within;
+use crate::study::search::differential_test::{Outcome, Random, outcome_of};
+use crate::study::search::random_bodies::within;
 use artifact::Accuracy;
 use artifact::scene::{SceneHeader, TargetKind, Wheel};
 use num_complex::Complex64;
@@ -64,5 +64,5 @@ pub(super) fn against_formulas(random: &mut Random) -> Result<Outcome, Failure> 
     // The printed error is measured at some samples of the cube, this one at others.
     let allowed = asked.max(2.0 * printed);
     let case = || format!("{:?}, {} points", radar.waveform, header.targets.len());
-    Ok(judged(looks::relative_error(&found, &exact), allowed, case))
+    Ok(outcome_of(rcs_solvers::relative_error(&found, &exact), allowed, case))
 }

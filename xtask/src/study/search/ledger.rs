@@ -1,10 +1,10 @@
 //! The ledger of searches, on their page.
 
-use crate::study::search::contest::Tally;
+use crate::study::search::differential_test::Tally;
 
 const HEADER: &str = "| seed | contest | cases | processor minutes | finds |\n|---|---|---|---|---|\n";
 
-/// Rows of one search, one per contest, and their sum.
+/// Rows of one search, one per differential test, and their sum.
 pub(in crate::study) fn rows(seed: u64, tallies: &[Tally]) -> String {
     let row = |name: &str, cases: u64, seconds: f64, finds: &str| {
         format!("| {seed} | {name} | {cases} | {:.1} | {finds} |\n", seconds / 60.0)
@@ -21,7 +21,7 @@ pub(in crate::study) fn rows(seed: u64, tallies: &[Tally]) -> String {
 }
 
 /// A ledger with rows appended to its own.
-pub(in crate::study) fn entered(ledger: &str, rows: &str) -> String {
+pub(in crate::study) fn append_rows(ledger: &str, rows: &str) -> String {
     let earlier: String = ledger
         .lines()
         .filter(|line| line.starts_with("| ") && !line.starts_with("| seed"))
@@ -37,9 +37,9 @@ mod tests {
     #[test]
     fn a_search_is_entered_behind_earlier_ones() {
         let tally = Tally { name: "a", cases: 3, seconds: 90.0, finds: vec!["x | y".into()] };
-        let first = entered("none yet", &rows(1, std::slice::from_ref(&tally)));
+        let first = append_rows("none yet", &rows(1, std::slice::from_ref(&tally)));
         assert_eq!(first.lines().nth(2), Some("| 1 | a | 3 | 1.5 | 1, the first: x \\| y |"));
-        let second = entered(&first, &rows(2, &[tally]));
+        let second = append_rows(&first, &rows(2, &[tally]));
         assert_eq!(second.lines().count(), 6);
         assert!(second.starts_with(&first));
     }

@@ -1,9 +1,9 @@
 //! Maps and detections against their definitions, and points against the truth.
 
-use crate::study::scenes::{cube_header, scene_of, seen, with_point};
-use crate::study::search::contest::{Outcome, Random, judged};
-use crate::study::search::drawn_bodies::within;
+use crate::study::scenes::{cube_header, detect, scene_of, with_point};
+use crate::study::search::differential_test::{Outcome, Random, outcome_of};
 use crate::study::search::echoes::radar;
+use crate::study::search::random_bodies::within;
 use artifact::ErrorBudget;
 use artifact::cube::CubeFrame;
 use artifact::radar::Multiplexing;
@@ -40,7 +40,7 @@ pub(super) fn against_sums(random: &mut Random) -> Result<Outcome, Failure> {
     let cube = CubeFrame { index: 0, time_s: 0.0, samples, error: ErrorBudget::default() };
     let receiver = match dsp::Receiver::new(&header) {
         Ok(receiver) => receiver,
-        Err(_) => return Ok(Outcome::Void),
+        Err(_) => return Ok(Outcome::Uninformative),
     };
     let map = receiver.range_doppler(&cube).map_err(Failure::refused)?;
     let mut worst = 0.0_f64;
@@ -51,7 +51,9 @@ pub(super) fn against_sums(random: &mut Random) -> Result<Outcome, Failure> {
         let exact = summed(&cube, [chirps, length], at, [windows[0].1, windows[1].1]);
         worst = worst.max((found - exact).norm() / ((chirps * length) as f64).sqrt());
     }
-    Ok(judged(worst, 1e-4, || format!("{channels} channels, {chirps} chirps, {length} samples, {windows:?}")))
+    Ok(outcome_of(worst, 1e-4, || {
+        format!("{channels} channels, {chirps} chirps, {length} samples, {windows:?}")
+    }))
 }
 
 fn summed(cube: &CubeFrame, [chirps, length]: [usize; 2], at: [usize; 3], of: [[f64; 3]; 2]) -> Complex64 {
@@ -78,7 +80,7 @@ pub(super) fn detector(random: &mut Random) -> Result<Outcome, Failure> {
     let header = cube_header(&header);
     let (Ok(cfar), [_, chirps, length]) = (dsp::cfar::Cfar::new(&header), artifact::rdm::shape(&header))
     else {
-        return Ok(Outcome::Void);
+        return Ok(Outcome::Uninformative);
     };
     let power: Vec<f64> = (0..chirps * length).map(|_| -(1.0 - random.random::<f64>()).ln()).collect();
     let (mask, estimates) = (cfar.mask(&power, 0.0), cfar.estimates(&power));
@@ -89,11 +91,11 @@ pub(super) fn detector(random: &mut Random) -> Result<Outcome, Failure> {
         mask[*i] != 0 && !is_close && (mask[*i] > 1) != (power[*i] > threshold)
     };
     let wrong = (0..power.len()).filter(differs).count();
-    Ok(judged(wrong as f64, 0.0, || format!("{:?}, {chirps} × {length}", header.dsp)))
+    Ok(outcome_of(wrong as f64, 0.0, || format!("{:?}, {chirps} × {length}", header.dsp)))
 }
 
 /// A single point 35 dB over the noise must be found at its place, with its velocity up to unresolved folds.
-pub(super) fn lone_points(random: &mut Random) -> Result<Outcome, Failure> {
+pub(super) fn isolated_points(random: &mut Random) -> Result<Outcome, Failure> {
     let multiplexing = ["simultaneous", "tdm", "ddm", "bpm"][random.random_range(0..4)];
     let header = scene_of(&format!(
         "[noise]\nsnr_db = 35.0\n[dsp]\nassumed_height_m = 6.0\n[radar.waveform]\nsamples = {}\n\
@@ -107,11 +109,11 @@ pub(super) fn lone_points(random: &mut Random) -> Result<Outcome, Failure> {
     let middle_s = header.radar.frame_middle_s();
     let place_m = [0, 1, 2].map(|i| (range_m - speed_mps * middle_s) * towards[i] + [0.0, 0.0, 6.0][i]);
     let header = with_point(header, 1.0, place_m, towards.map(|t| t * speed_mps));
-    let objects = seen(&header)?.points.objects;
+    let objects = detect(&header)?.points.objects;
     let case =
         || format!("{multiplexing}, {range_m:.2} m, {:.2}°, {speed_mps:.2} m/s", azimuth_rad.to_degrees());
     let Some(object) = objects.iter().max_by(|a, b| a.snr_db.total_cmp(&b.snr_db)) else {
-        return Ok(Outcome::Find(format!("not found: {}", case())));
+        return Ok(Outcome::Discrepancy(format!("not found: {}", case())));
     };
     // Folds of one chirp interval are ambiguous if none is resolved.
     let fold_mps =
@@ -135,5 +137,5 @@ pub(super) fn lone_points(random: &mut Random) -> Result<Outcome, Failure> {
     };
     // An echo that crosses range cells within a frame is smeared along both axes.
     let crossed = 2.0 * middle_s * speed_mps.abs() / header.radar.waveform.range_resolution_m();
-    Ok(judged(range.max(velocity).max(beam), 0.3 + 0.5 * crossed, told))
+    Ok(outcome_of(range.max(velocity).max(beam), 0.3 + 0.5 * crossed, told))
 }

@@ -1,9 +1,9 @@
 //! The beam tracer against slow references, and against itself under changes that must not affect the answer.
 
-use crate::study::looks;
-use crate::study::search::contest::{Outcome, Random, judged};
-use crate::study::search::drawn_bodies::{body, box_of, polarization, request, within, words};
-use artifact::material::{Backing, Layer, Makeup, Material, Thickness, Transmission};
+use crate::study::rcs_solvers;
+use crate::study::search::differential_test::{Outcome, Random, outcome_of};
+use crate::study::search::random_bodies::{body, box_of, polarization, request, within, words};
+use artifact::material::{Backing, Layer, Material, MeshMaterials, Thickness, Transmission};
 use artifact::scene::Mesh;
 use artifact::settings::{NodeRule, Sides};
 use bart_rcs::{RcsRequest, RcsResult, Standpoint};
@@ -21,21 +21,23 @@ fn printed(result: &RcsResult) -> f64 {
 }
 
 fn sampled(body: &Mesh, request: &RcsRequest, per_wavelength: f64) -> Result<Complex64, Failure> {
-    looks::sampled(body, request, per_wavelength, (4.0 * per_wavelength) as u32)
+    rcs_solvers::po_amplitude(body, request, per_wavelength, (4.0 * per_wavelength) as u32)
 }
 
 /// First order of any body, against sampling at two densities, which indicate their own error.
 pub(super) fn against_sampling(random: &mut Random) -> Result<Outcome, Failure> {
     let (body, request) = (body(random), request(random, 1));
-    let result = looks::traced(&body, &request)?;
+    let result = rcs_solvers::trace_rcs(&body, &request)?;
     let (coarse, fine) = (sampled(&body, &request, 1.5)?, sampled(&body, &request, 2.5)?);
     let found = result.amplitude_m[0];
     // Below this only rounding is lit.
     if fine.norm() < 1e-9 {
-        return Ok(Outcome::Void);
+        return Ok(Outcome::Uninformative);
     }
     let allowed = BEYOND * printed(&result) * found.norm() + 4.0 * (coarse - fine).norm();
-    Ok(judged((found - fine).norm() / fine.norm(), allowed / fine.norm() + 1e-6, || words(&body, &request)))
+    Ok(outcome_of((found - fine).norm() / fine.norm(), allowed / fine.norm() + 1e-6, || {
+        words(&body, &request)
+    }))
 }
 
 /// Orders that are compared with rays.
@@ -46,20 +48,20 @@ pub(super) fn against_rays(random: &mut Random) -> Result<Outcome, Failure> {
     let body = box_of(random);
     let asked = request(random, ORDERS);
     let request = RcsRequest { nodes: NodeRule::Exit, range_m: f64::INFINITY, ..asked };
-    let result = looks::traced(&body, &request)?;
+    let result = rcs_solvers::trace_rcs(&body, &request)?;
     let rays = |per_wavelength: f64| {
-        let shooting = sbr::Shooting {
+        let shooting = sbr::RaySettings {
             per_wavelength,
             bounces: ORDERS,
             sides: Sides::Two,
             bracket: Bracket::Symmetrised,
         };
-        looks::shot(&body, &request, &shooting)
+        rcs_solvers::sbr_amplitudes(&body, &request, &shooting)
     };
     let (coarse, fine) = (rays(8.0)?, rays(20.0)?);
     let whole = fine.iter().map(|s| s.norm()).sum::<f64>();
     if whole < 1e-6 {
-        return Ok(Outcome::Void);
+        return Ok(Outcome::Uninformative);
     }
     let missed = |order: usize| (result.by_order_m[order][0] - fine[order]).norm();
     let apart = |order: usize| (coarse[order] - fine[order]).norm();
@@ -67,13 +69,13 @@ pub(super) fn against_rays(random: &mut Random) -> Result<Outcome, Failure> {
     let own = (0..ORDERS as usize).map(apart).sum::<f64>() / whole;
     // Rays that have not converged are uninformative: along a wall there are too few of them.
     if own > 0.1 {
-        return Ok(Outcome::Void);
+        return Ok(Outcome::Uninformative);
     }
-    Ok(judged(error, BEYOND * printed(&result) + 4.0 * own + 0.01, || words(&body, &request)))
+    Ok(outcome_of(error, BEYOND * printed(&result) + 4.0 * own + 0.01, || words(&body, &request)))
 }
 
 /// S(tx, rx) and S(rx, tx) of one polarization.
-pub(super) fn exchanged(random: &mut Random) -> Result<Outcome, Failure> {
+pub(super) fn reciprocity(random: &mut Random) -> Result<Outcome, Failure> {
     let (body, asked) = (body(random), request(random, 2));
     let other = request(random, 2);
     let at = |r: &RcsRequest| Standpoint {
@@ -88,23 +90,23 @@ pub(super) fn exchanged(random: &mut Random) -> Result<Outcome, Failure> {
         accuracy: asked.accuracy,
         ..other
     };
-    let (forth_m, back_m) = (looks::traced(&body, &forth)?, looks::traced(&body, &back)?);
+    let (forth_m, back_m) = (rcs_solvers::trace_rcs(&body, &forth)?, rcs_solvers::trace_rcs(&body, &back)?);
     let level = back_m.amplitude_m[0].norm();
     if level < 1e-9 {
-        return Ok(Outcome::Void);
+        return Ok(Outcome::Uninformative);
     }
     let error = (forth_m.amplitude_m[0] - back_m.amplitude_m[0]).norm() / level;
     let allowed = BEYOND * printed(&forth_m).hypot(printed(&back_m)) + 1e-9;
-    Ok(judged(error, allowed, || words(&body, &forth)))
+    Ok(outcome_of(error, allowed, || words(&body, &forth)))
 }
 
 /// Triangles in another order, cut at their middles, body and antenna rotated about z.
-pub(super) fn relabelled(random: &mut Random) -> Result<Outcome, Failure> {
+pub(super) fn mesh_invariance(random: &mut Random) -> Result<Outcome, Failure> {
     let (body, mut request) = (body(random), request(random, 2));
-    let result = looks::traced(&body, &request)?;
+    let result = rcs_solvers::trace_rcs(&body, &request)?;
     let level = result.amplitude_m[0].norm();
     if level < 1e-9 {
-        return Ok(Outcome::Void);
+        return Ok(Outcome::Uninformative);
     }
     let turn_rad = within(random, -3.0, 3.0);
     let (sin, cos) = turn_rad.sin_cos();
@@ -112,10 +114,10 @@ pub(super) fn relabelled(random: &mut Random) -> Result<Outcome, Failure> {
     other.vertices_m.iter_mut().for_each(|v| *v = [cos * v[0] - sin * v[1], sin * v[0] + cos * v[1], v[2]]);
     other.triangles.shuffle(random);
     request.azimuth_rad[0] += turn_rad;
-    let again = looks::traced(&other, &request)?;
+    let again = rcs_solvers::trace_rcs(&other, &request)?;
     let error = (again.amplitude_m[0] - result.amplitude_m[0]).norm() / level;
     let allowed = BEYOND * printed(&result).hypot(printed(&again)) + 1e-7;
-    Ok(judged(error, allowed, || words(&body, &request)))
+    Ok(outcome_of(error, allowed, || words(&body, &request)))
 }
 
 /// Every triangle cut in two from its first corner.
@@ -132,20 +134,20 @@ fn cut(body: &Mesh) -> Mesh {
 }
 
 /// Compares S from ten thousand kilometres, 4e-6 rad of curvature over these bodies, with S from infinity.
-pub(super) fn far_away(random: &mut Random) -> Result<Outcome, Failure> {
+pub(super) fn far_field(random: &mut Random) -> Result<Outcome, Failure> {
     let (body, asked) = (body(random), request(random, 3));
     let request = RcsRequest { range_m: f64::INFINITY, ..asked };
-    let far = looks::traced(&body, &request)?;
-    let near = looks::traced(&body, &RcsRequest { range_m: 1e7, ..request.clone() })?;
+    let far = rcs_solvers::trace_rcs(&body, &request)?;
+    let near = rcs_solvers::trace_rcs(&body, &RcsRequest { range_m: 1e7, ..request.clone() })?;
     let level = far.amplitude_m[0].norm();
     if level < 1e-6 {
-        return Ok(Outcome::Void);
+        return Ok(Outcome::Uninformative);
     }
     let error = (near.amplitude_m[0] - far.amplitude_m[0]).norm() / level;
     // The effect of curvature on cancelling parts scales with their size, not with that of the sum.
     let parts = 1e-4 * (1.0 + 1e-2 / level);
     let allowed = BEYOND * printed(&near).hypot(printed(&far)) + parts;
-    Ok(judged(error, allowed, || words(&body, &request)))
+    Ok(outcome_of(error, allowed, || words(&body, &request)))
 }
 
 fn material(random: &mut Random) -> Material {
@@ -167,15 +169,15 @@ pub(super) fn layers(random: &mut Random) -> Result<Outcome, Failure> {
     let coat = material(random);
     body.materials = vec!["coat".into()];
     body.material_of_triangle = vec![0; body.triangles.len()];
-    body.makeup = Makeup { materials: vec![coat.clone()], transmission: Transmission::Ignored };
+    body.makeup = MeshMaterials { materials: vec![coat.clone()], transmission: Transmission::Ignored };
     let request = RcsRequest { polarization: polarization(random), ..request(random, 1) };
-    let result = looks::traced(&body, &request)?;
+    let result = rcs_solvers::trace_rcs(&body, &request)?;
     let (coarse, fine) = (sampled(&body, &request, 1.5)?, sampled(&body, &request, 2.5)?);
     if fine.norm() < 1e-9 {
-        return Ok(Outcome::Void);
+        return Ok(Outcome::Uninformative);
     }
     let found = result.amplitude_m[0];
     let allowed = BEYOND * printed(&result) * found.norm() + 4.0 * (coarse - fine).norm();
     let case = || format!("{coat:?}, {}", words(&body, &request));
-    Ok(judged((found - fine).norm() / fine.norm(), allowed / fine.norm() + 1e-6, case))
+    Ok(outcome_of((found - fine).norm() / fine.norm(), allowed / fine.norm() + 1e-6, case))
 }

@@ -1,8 +1,8 @@
 //! The tracker on bodies that drive straight on, each detected with errors of the reported size.
 
 use crate::study::scenes::{cube_header, scene_of};
-use crate::study::search::contest::{Outcome, Random};
-use crate::study::search::drawn_bodies::within;
+use crate::study::search::differential_test::{Outcome, Random};
+use crate::study::search::random_bodies::within;
 use artifact::points::{Height, Object, PointsFrame};
 use artifact::tracks::{TrackState, TracksFrame};
 use dsp::{ROAD_TRAFFIC, Tracker};
@@ -79,5 +79,5 @@ pub(super) fn against_truth(random: &mut Random) -> Result<Outcome, Failure> {
             (begin, end) => Some(format!("{body:?}: {begin:?}, then {end:?}")),
         }
     });
-    Ok(lost.map_or(Outcome::Agreed, Outcome::Find))
+    Ok(lost.map_or(Outcome::Agreed, Outcome::Discrepancy))
 }

@@ -48,7 +48,9 @@ impl<S: Schema> Reader<S> {
 
     fn of_stream(mut stream: Stream) -> Result<Self, Fault> {
         let preamble = stream.preamble()?;
+        let offset = stream.at;
         let (header, told) = stream.expect::<S>(&preamble)?;
+        check_no_nan(&header, offset)?;
         stream.has_room(told, S::least_frame_bytes(&header))?;
         Ok(Self { stream, preamble, header, told, found: 0, done: false, schema: PhantomData })
     }
@@ -111,6 +113,15 @@ impl<S: Schema> Iterator for Reader<S> {
     fn next(&mut self) -> Option<Self::Item> {
         self.next_frame().transpose()
     }
+}
+
+/// Refuses a header that contains a NaN: later stages compare headers and plan from their numbers.
+#[expect(clippy::eq_op, reason = "a value that does not equal itself contains a NaN")]
+fn check_no_nan<H: PartialEq>(header: &H, offset: u64) -> Result<(), Fault> {
+    if header == header {
+        return Ok(());
+    }
+    Err(Fault::Shape { record: "the header".to_owned(), offset, why: "one of its numbers is NaN".to_owned() })
 }
 
 /// Reads the preamble of an artifact of any kind.

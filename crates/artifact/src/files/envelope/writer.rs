@@ -1,6 +1,6 @@
+use crate::files::atomic_file::{AtomicFile, Durability};
 use crate::files::codec;
 use crate::files::envelope::{ArtifactError, Fault, MAGIC, Preamble, Provenance, Schema, checksum, end_mark};
-use crate::files::whole_file::{Durability, WholeFile};
 use std::io::Write;
 use std::marker::PhantomData;
 use std::path::{Path, PathBuf};
@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 /// If dropped before `finish`, it leaves nothing behind and an older artifact of that name untouched.
 pub struct Writer<S> {
     file: PathBuf,
-    stream: WholeFile,
+    stream: AtomicFile,
     frames: u64,
     schema: PhantomData<S>,
 }
@@ -18,7 +18,7 @@ pub struct Writer<S> {
 impl<S: Schema> Writer<S> {
     /// Opens the stream; missing folders are created.
     pub fn create(file: &Path, provenance: &Provenance, header: &S::Header) -> Result<Self, ArtifactError> {
-        let stream = WholeFile::create(file)?;
+        let stream = AtomicFile::create(file)?;
         let mut writer = Self { file: file.to_owned(), stream, frames: 0, schema: PhantomData };
         let preamble =
             Preamble { schema: S::NAME.into(), version: S::VERSION, provenance: provenance.clone() };

@@ -3,23 +3,23 @@
 
 use crate::frame::band_power::power_over_frame;
 use crate::frame::blends::axis::{BlendAxis, FINEST, GRID_STEPS, STEPS_OF_LOOKS};
-use crate::frame::blends::changing_ways::{bodies, found, least_missed, named};
+use crate::frame::blends::changing_sequences::{bodies, least_missed, named, present_sequences};
 use crate::frame::blends::nodes::{BlendContext, BlendNodes};
-use crate::frame::frame_error::{FrameError, GivenUp, Reference};
+use crate::frame::frame_error::{FrameError, FrameReference, OmittedPowers};
 use crate::frame::path_plan::{MOMENTS_MAX, PATHS_MAX, Plan};
-use crate::frame::path_pruning::Kept;
+use crate::frame::path_pruning::PrunedPaths;
 use crate::frame::path_table::PathTable;
-use crate::frame::snapshot::Scenery;
-use crate::oversight::error::BartError;
+use crate::frame::snapshot::TracedScene;
+use crate::run_control::error::BartError;
 use artifact::paths::{Amplitude, Fineness, Path};
 
 /// The table itself if its freezing error is within the requested accuracy; otherwise one in which the most
 /// variable paths are blended from as few nodes as meet it, or the best found.
 pub(crate) fn split(
-    scenery: &Scenery<'_>,
+    scenery: &TracedScene<'_>,
     whole: PathTable,
     points: &[Path],
-    reference: &Reference,
+    reference: &FrameReference,
 ) -> Result<PathTable, BartError> {
     if !needs_nodes(scenery.plan, &whole) {
         return Ok(whole);
@@ -45,11 +45,11 @@ pub(crate) fn split(
 /// Paths of the frame's middle, of which those blended in another frame are blended from the same number of
 /// nodes.
 pub(crate) fn split_alike(
-    scenery: &Scenery<'_>,
-    kept: Kept,
+    scenery: &TracedScene<'_>,
+    kept: PrunedPaths,
     fineness: &Fineness,
 ) -> Result<Vec<Path>, BartError> {
-    let Kept { paths: middle, strongest_dropped, .. } = kept;
+    let PrunedPaths { paths: middle, strongest_dropped, .. } = kept;
     let (strongest_dropped, of_middle) = (strongest_dropped.as_slice(), middle.len());
     let context = BlendContext { scenery, fineness, strongest_dropped, of_middle };
     let mut along: Vec<BlendNodes<'_>> = Vec::new();
@@ -58,7 +58,7 @@ pub(crate) fn split_alike(
             BlendAxis::Time => (fineness.moments, &fineness.ways),
             BlendAxis::Array => (fineness.places, &fineness.ways_of_places),
         };
-        let ways = found(ways, scenery.plan);
+        let ways = present_sequences(ways, scenery.plan);
         let steps = nodes.checked_sub(1).filter(|steps| GRID_STEPS.contains(steps) && !ways.is_empty());
         if let Some(steps) = steps {
             let mut nodes = BlendNodes::of(&context, axis, ways, &middle);
@@ -74,7 +74,7 @@ pub(crate) fn split_alike(
 
 /// Whether a table misses the requested accuracy, mostly because of changes over the frame and the array.
 fn needs_nodes(plan: &Plan<'_>, table: &PathTable) -> bool {
-    table.error.measured() > plan.asked() && table.error.is_mostly_freezing()
+    table.error.measured() > plan.allowed_error() && table.error.is_mostly_freezing()
 }
 
 /// A frame blended along one axis after the other.
@@ -83,7 +83,7 @@ struct Blending<'a> {
     /// Paths of the frame's middle.
     middle: &'a [Path],
     points: &'a [Path],
-    reference: &'a Reference,
+    reference: &'a FrameReference,
     best: PathTable,
     /// Nodes of the best table, by axis.
     along: Vec<BlendNodes<'a>>,
@@ -94,7 +94,7 @@ impl<'a> Blending<'a> {
     fn add(&mut self, axis: BlendAxis, context: &'a BlendContext<'a>) -> Result<(), BartError> {
         let (before, others) = (self.best.paths.len(), self.along.iter().map(BlendNodes::paths).sum());
         let measured = self.best.error.measured();
-        let mut nodes = BlendNodes::looked_at(context, axis, self.middle, (measured, others))?;
+        let mut nodes = BlendNodes::probed(context, axis, self.middle, (measured, others))?;
         if nodes.ways.is_empty() {
             return Ok(());
         }
@@ -110,7 +110,7 @@ impl<'a> Blending<'a> {
             if is_best {
                 best_steps = Some(steps);
             }
-            let is_met = measured <= self.plan.asked();
+            let is_met = measured <= self.plan.allowed_error();
             // Between two or three nodes a phase rotated by whole cycles seems constant.
             let tells = steps >= STEPS_OF_LOOKS;
             if is_met || (tells && nodes.missed_halfway(steps / 2) < least_missed(measured, power)) {
@@ -130,8 +130,8 @@ impl<'a> Blending<'a> {
         let along: Vec<&BlendNodes<'_>> = self.along.iter().chain([nodes]).collect();
         let paths = blended(self.middle, &along);
         let blends_power_m2 = along.iter().map(|nodes| nodes.missed_beside_check()).sum();
-        let given_up = GivenUp { blends_power_m2, ..self.best.given_up };
-        let error = FrameError::measured_on(self.plan, &paths, self.points, self.reference, &given_up);
+        let omitted_powers = OmittedPowers { blends_power_m2, ..self.best.omitted_powers };
+        let error = FrameError::measured_on(self.plan, &paths, self.points, self.reference, &omitted_powers);
         let is_best = error.measured() < self.best.error.measured();
         if is_best {
             let (fineness, ways) = (&mut self.best.fineness, named(&nodes.ways, self.plan));
@@ -151,7 +151,7 @@ impl<'a> Blending<'a> {
 fn blended(middle: &[Path], along: &[&BlendNodes<'_>]) -> Vec<Path> {
     let own = middle.iter().filter_map(|path| {
         let way = bodies(path);
-        match along.iter().filter(|nodes| nodes.ways.contain(&way)).count() {
+        match along.iter().filter(|nodes| nodes.ways.contains(&way)).count() {
             0 => Some(*path),
             1 => None,
             axes => Some(times(path, 1.0 - axes as f64)),

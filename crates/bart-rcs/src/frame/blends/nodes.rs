@@ -6,23 +6,23 @@
 //! error of each of the grids at the moment of the check equals that over the frame to within 1.4 dB
 //! (verified by a test).
 
-use crate::beams::body_ways::BodyWays;
+use crate::beams::body_sequences::BodySequences;
 use crate::frame::band_power::mean_difference;
 use crate::frame::blends::axis::{BlendAxis, FINEST, LOOKED_AT, SHARE_OF_LOOKS};
-use crate::frame::blends::changing_ways::{FIELD_FREQUENCIES, bodies, field, ways_that_change};
+use crate::frame::blends::changing_sequences::{FIELD_FREQUENCIES, bodies, changing_sequences, field};
 use crate::frame::path_pruning::pruned_alike;
 use crate::frame::path_sum::PathView;
 use crate::frame::path_table::{BlendNode, paths_along, paths_bytes};
-use crate::frame::snapshot::Scenery;
-use crate::oversight::error::BartError;
-use crate::oversight::progress::Phase;
+use crate::frame::snapshot::TracedScene;
+use crate::run_control::error::BartError;
+use crate::run_control::progress::Phase;
 use artifact::paths::{Fineness, Path};
 use num_complex::Complex64;
 use std::collections::BTreeMap;
 
 /// Scene, fineness and dropped powers common to all nodes of a frame.
 pub(super) struct BlendContext<'a> {
-    pub(super) scenery: &'a Scenery<'a>,
+    pub(super) scenery: &'a TracedScene<'a>,
     pub(super) fineness: &'a Fineness,
     pub(super) strongest_dropped: &'a [f64],
     /// Number of the middle's paths.
@@ -34,7 +34,7 @@ pub(super) struct BlendNodes<'a> {
     context: &'a BlendContext<'a>,
     pub(super) axis: BlendAxis,
     /// Sequences traced at all nodes; all existing ones if none are named.
-    pub(super) ways: BodyWays,
+    pub(super) ways: BodySequences,
     /// Number of steps of the blended grid.
     pub(super) steps: u32,
     /// Paths by place, in units of 1/[`FINEST`] of the axis.
@@ -48,32 +48,32 @@ impl<'a> BlendNodes<'a> {
     pub(super) fn of(
         context: &'a BlendContext<'a>,
         axis: BlendAxis,
-        ways: BodyWays,
+        ways: BodySequences,
         middle: &[Path],
     ) -> Self {
-        let own = middle.iter().filter(|path| ways.contain(&bodies(path))).copied().collect();
+        let own = middle.iter().filter(|path| ways.contains(&bodies(path))).copied().collect();
         Self { context, axis, ways, steps: 0, at: BTreeMap::from([(FINEST / 2, own)]), bytes: 0 }
     }
 
     /// Traces two other nodes of an axis for the sequences that differ there from those in `middle`, with
     /// this number of paths of other nodes held.
-    pub(super) fn looked_at(
+    pub(super) fn probed(
         context: &'a BlendContext<'a>,
         axis: BlendAxis,
         middle: &[Path],
         (measured, others): (f64, usize),
     ) -> Result<Self, BartError> {
-        let mut looks = Self::of(context, axis, BodyWays::default(), &[]);
+        let mut looks = Self::of(context, axis, BodySequences::default(), &[]);
         for place in LOOKED_AT {
             let paths = looks.traced(place, others)?;
             looks.at.insert(place, paths);
         }
         let others = LOOKED_AT.map(|place| (looks.view(place), looks.at[&place].as_slice()));
-        let ways = ways_that_change(context.scenery.plan, middle, measured, others);
+        let ways = changing_sequences(context.scenery.plan, middle, measured, others);
         let mut nodes = Self { bytes: looks.bytes, ..Self::of(context, axis, ways, middle) };
         for place in LOOKED_AT {
             let mut paths = looks.at.remove(&place).unwrap_or_default();
-            paths.retain(|path| nodes.ways.contain(&bodies(path)));
+            paths.retain(|path| nodes.ways.contains(&bodies(path)));
             nodes.at.insert(place, paths);
         }
         Ok(nodes)
@@ -98,7 +98,7 @@ impl<'a> BlendNodes<'a> {
         let (seconds, ends_m) = self.axis.at(plan, place);
         let ways = (!self.ways.is_empty()).then_some(&self.ways);
         // Including the blends made of them, two of which are compared.
-        let beside = scenery.beside(3 * paths_bytes(self.paths() + others + of_middle));
+        let beside = scenery.with_held_bytes(3 * paths_bytes(self.paths() + others + of_middle));
         let snapshot = match ways {
             Some(ways) => beside.along(ways, seconds, ends_m)?,
             None => beside.at(seconds, ends_m)?,

@@ -2,9 +2,9 @@
 
 use crate::geometry::convex_intersection::bounds;
 use crate::geometry::plane_frame::PlaneFrame;
-use crate::integral::critical_points::CriticalPart;
+use crate::integral::critical_points::CriticalPoint;
 use crate::joins::joint::Joint;
-use crate::joins::scatterer::{Integration, Part, Scatterer};
+use crate::joins::scatterer::{Integration, PolygonPart, Scatterer};
 use glam::{DVec2, DVec3};
 
 /// Cells that a flat side would be cut into from which on its corners and sides are looked at, and cells that
@@ -22,31 +22,32 @@ pub(crate) fn is_large(extent_m: DVec2, size_m: f64) -> bool {
 }
 
 /// A polygon in parts of its plane, each to be cut into cells, and terms of what is not among them.
-pub(crate) struct PartedPolygon {
+pub(crate) struct SplitJoint {
     pub(crate) frame: PlaneFrame,
     pub(crate) near_m: Vec<Vec<DVec2>>,
-    pub(crate) terms: Vec<CriticalPart>,
+    pub(crate) terms: Vec<CriticalPoint>,
 }
 
 /// A joint's polygon as cells of `size_m` take it; amplitudes of the terms have the joint's weight.
-pub(crate) fn parted(
+pub(crate) fn split_joint(
     scatterer: &Scatterer<'_>,
     joint: &Joint,
     corners_m: &[DVec3],
     size_m: f64,
     request: &Integration<'_>,
-) -> PartedPolygon {
+) -> SplitJoint {
     let frame = PlaneFrame::new(corners_m[0], scatterer.forward(joint).lit_normal);
     let polygon: Vec<DVec2> = corners_m.iter().map(|c| frame.plane_from_world(*c)).collect();
     let [low, high] = bounds(&polygon);
     if !is_large(high - low, size_m) {
-        return PartedPolygon { frame, near_m: vec![polygon], terms: vec![] };
+        return SplitJoint { frame, near_m: vec![polygon], terms: vec![] };
     }
     let Integration { wavenumbers_per_m, accuracy, bracket } = *request;
-    let part = Part { corners_m, reference_m: corners_m[0], bracket };
+    let part = PolygonPart { corners_m, reference_m: corners_m[0], bracket };
     let mut terms = Vec::new();
     let near_m = scatterer.with_field(joint, &part, (wavenumbers_per_m, accuracy), |field| {
-        let parted = field.parted(&polygon, wavenumbers_per_m[wavenumbers_per_m.len() / 2]);
+        let parted =
+            field.split_about_stationary_point(&polygon, wavenumbers_per_m[wavenumbers_per_m.len() / 2]);
         for far in &parted.far {
             field.for_each_critical_part(far, size_m, wavenumbers_per_m, &mut |term| terms.push(term));
         }
@@ -54,5 +55,5 @@ pub(crate) fn parted(
     });
     let amplitudes = terms.iter_mut().map(|term| &mut term.amplitudes);
     amplitudes.for_each(|estimate| Scatterer::weigh(joint, wavenumbers_per_m, estimate));
-    PartedPolygon { frame, near_m, terms }
+    SplitJoint { frame, near_m, terms }
 }

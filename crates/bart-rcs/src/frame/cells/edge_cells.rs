@@ -86,7 +86,7 @@ impl CutLine {
                 amplitudes_m: estimate.value,
                 area_m2: as_area_m2(span_m[1] - span_m[0], settings),
                 error_m: estimate.error,
-                kind: CellKind::Part,
+                kind: CellKind::PolygonPart,
             });
         }
         if self.reverse == Reverse::Included {

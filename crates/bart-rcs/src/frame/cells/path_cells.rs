@@ -4,18 +4,18 @@
 use crate::beams::beam::BeamTree;
 use crate::beams::image_tree::origin;
 use crate::bodies::motion::Motion;
-use crate::bodies::road::Half;
+use crate::bodies::road::HalfSpace;
 use crate::bodies::world::World;
-use crate::frame::cells::cell_room::CellRoom;
-use crate::frame::cells::critical_cells::{PartedPolygon, parted};
+use crate::frame::cells::cell_memory::CellMemory;
+use crate::frame::cells::critical_cells::{SplitJoint, split_joint};
 use crate::geometry::antenna::Antenna;
 use crate::geometry::convex_intersection::{bounds, left_of};
 use crate::geometry::plane_frame::{PlaneFrame, area_m2, centroid_m};
-use crate::integral::critical_points::CriticalPart;
+use crate::integral::critical_points::CriticalPoint;
 use crate::integral::field::length_difference_m;
 use crate::integral::node::{Bracket, Estimate};
 use crate::joins::joint::{Joint, Joints, Reverse};
-use crate::joins::scatterer::{Integration, Part, Scatterer, scaled, sequence, sum, transposed};
+use crate::joins::scatterer::{Integration, PolygonPart, Scatterer, scaled, sequence, sum, transposed};
 use artifact::paths::{Amplitude, Facet, MAX_ORDER, Path};
 use glam::{DVec2, DVec3};
 use num_complex::Complex64;
@@ -43,7 +43,7 @@ pub(crate) struct Cell {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum CellKind {
     /// A part of an area, or a diffracting edge.
-    Part,
+    PolygonPart,
     /// A term of a large polygon's corners and sides.
     Critical,
 }
@@ -66,7 +66,7 @@ pub(crate) struct CellSettings<'a> {
     pub(crate) accuracy_of_body: &'a [f64],
     pub(crate) bracket: Bracket,
     /// No more cells are made than it has a place for.
-    pub(crate) room: &'a CellRoom,
+    pub(crate) room: &'a CellMemory,
 }
 
 impl CellSettings<'_> {
@@ -117,7 +117,7 @@ fn cells_of(
     let side_m = settings.side_m(scatterer.world, &facets);
     let CellSettings { wavenumbers_per_m, bracket, .. } = *settings;
     let request = Integration { wavenumbers_per_m, accuracy, bracket };
-    let PartedPolygon { frame, near_m, terms } = parted(scatterer, joint, corners_m, side_m, &request);
+    let SplitJoint { frame, near_m, terms } = split_joint(scatterer, joint, corners_m, side_m, &request);
     let of_joint = CellsOfJoint { scatterer, joint, facets, settings, side_m, accuracy };
     let mut cells: Vec<Cell> =
         near_m.into_iter().flat_map(|part_m| of_joint.squares(&frame, part_m)).collect();
@@ -144,16 +144,16 @@ impl CellsOfJoint<'_> {
         let square = |piece: Vec<DVec2>| {
             let reference_m = frame.to_world(centroid_m(&piece));
             let corners_m: Vec<DVec3> = piece.iter().map(|c| frame.to_world(*c)).collect();
-            let part = Part { corners_m: &corners_m, reference_m, bracket: self.settings.bracket };
+            let part = PolygonPart { corners_m: &corners_m, reference_m, bracket: self.settings.bracket };
             let (joint, wavenumbers_per_m) = (self.joint, self.settings.wavenumbers_per_m);
             let estimate = self.scatterer.amplitudes(joint, &part, wavenumbers_per_m, self.accuracy);
-            self.cell(CellKind::Part, reference_m, area_m2(&piece), estimate)
+            self.cell(CellKind::PolygonPart, reference_m, area_m2(&piece), estimate)
         };
         let squares = cut_into_squares(polygon_m, self.side_m);
         squares.into_iter().map_while(|piece| self.has_room().then(|| square(piece))).collect()
     }
 
-    fn term(&self, CriticalPart { at_m, length_m, amplitudes }: CriticalPart) -> Option<Cell> {
+    fn term(&self, CriticalPoint { at_m, length_m, amplitudes }: CriticalPoint) -> Option<Cell> {
         let corner_m = 1.0 / highest_per_m(self.settings);
         let area_m2 = as_area_m2(length_m + corner_m, self.settings);
         self.has_room().then(|| self.cell(CellKind::Critical, at_m, area_m2, amplitudes))
@@ -223,8 +223,8 @@ pub(crate) fn motions(scatterer: &Scatterer<'_>, forward: u32, backward: u32, no
             world.moving_plane(tree.beams[mirror as usize].facet).image(at_m, motion)
         });
         match origin(tree, &tree.beams[beam as usize]) {
-            Half::Above => at_antenna,
-            Half::Below => at_antenna.below_road(),
+            HalfSpace::Above => at_antenna,
+            HalfSpace::Below => at_antenna.below_road(),
         }
     };
     [through(scatterer.trees.transmit(), forward), through(scatterer.trees.receive(), backward)]

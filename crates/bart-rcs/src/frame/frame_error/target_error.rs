@@ -1,7 +1,7 @@
 //! Error of each target's echo alone. Beside a strong target a weak one may have a larger relative error than
 //! the frame: the requested accuracy is the frame's.
 
-use super::Reference;
+use super::FrameReference;
 use crate::frame::band_power::{MARGIN, mean, mean_difference, power_over_frame};
 use crate::frame::integration_error::BodyEcho;
 use crate::frame::path_plan::Plan;
@@ -19,7 +19,11 @@ use artifact::settings::Wheels;
 /// Paths over several bodies belong to no target. The error of a blend at other moments than that of the
 /// check counts for every blended target. The shares of tessellation, of dropped beams, of the reduction of
 /// paths and of the samples are reported for the frame alone.
-pub(crate) fn target_errors(plan: &Plan<'_>, table: &PathTable, reference: &Reference) -> Vec<Option<f64>> {
+pub(crate) fn target_errors(
+    plan: &Plan<'_>,
+    table: &PathTable,
+    reference: &FrameReference,
+) -> Vec<Option<f64>> {
     let wheels_turn = plan.header.fidelity.wheels == Wheels::Turning;
     let of = |(index, body): (usize, &BodyEcho)| {
         let is_point = matches!(plan.header.targets[index].kind, TargetKind::Point { .. });
@@ -27,7 +31,8 @@ pub(crate) fn target_errors(plan: &Plan<'_>, table: &PathTable, reference: &Refe
         let power = power_over_frame(&own, plan).max(mean(&body.amplitude_m));
         let is_told = !is_point && !wheels_turn && power > 0.0;
         is_told.then(|| {
-            let sum = element_over_band(&own, &plan.check_view(), plan.hearing(), &reference.frequencies_hz);
+            let sum =
+                element_over_band(&own, &plan.check_view(), plan.reception(), &reference.frequencies_hz);
             let missed = mean_difference(&body.amplitude_m, &sum) + body.integration_power;
             let beside_check = missed + blends_power_m2(plan, table, index);
             let dropped = table.dropped_powers.get(index).copied().unwrap_or(0.0) + body.integration_power;
@@ -46,5 +51,5 @@ fn is_own(path: &Path, target: u32) -> bool {
 fn blends_power_m2(plan: &Plan<'_>, table: &PathTable, target: usize) -> f64 {
     let mut ways = table.fineness.ways.iter().chain(&table.fineness.ways_of_places).flatten();
     let is_blended = ways.any(|id| *id == plan.header.targets[target].id);
-    if is_blended { table.given_up.blends_power_m2 } else { 0.0 }
+    if is_blended { table.omitted_powers.blends_power_m2 } else { 0.0 }
 }

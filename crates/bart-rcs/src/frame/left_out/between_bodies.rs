@@ -2,13 +2,13 @@
 //! more, summed in addition to the traced paths.
 
 use crate::bodies::world::World;
-use crate::frame::frame_error::Reference;
-use crate::frame::left_out::ways::LeftOutWays;
+use crate::frame::frame_error::FrameReference;
+use crate::frame::left_out::neglected_paths::NeglectedPaths;
 use crate::frame::path_plan::Plan;
 use crate::frame::snapshot::Snapshot;
 use crate::joins::scatterer::meets_several_vehicles;
-use crate::oversight::error::BartError;
-use crate::oversight::progress::Phase;
+use crate::run_control::error::BartError;
+use crate::run_control::progress::Phase;
 
 /// Number of orders that are summed if they contain half of the echo.
 const BOUNCES: u8 = 2;
@@ -23,14 +23,14 @@ const MIRROR_WAVELENGTHS: f64 = 10.0;
 pub(crate) fn between_bodies_left_out(
     world: &World,
     plan: &Plan<'_>,
-    reference: &Reference,
+    reference: &FrameReference,
 ) -> Result<Option<f64>, BartError> {
-    if !world.leaves_bodies_apart() || plan.header.fidelity.bounces < BOUNCES {
+    if !world.omits_inter_body_paths() || plan.header.fidelity.bounces < BOUNCES {
         return Ok(None);
     }
     let world = world.joined()?;
-    let bounces = reference.telling_orders(BOUNCES);
-    let ways = LeftOutWays { bounces, mirror_wavelengths: MIRROR_WAVELENGTHS };
+    let bounces = reference.representative_orders(BOUNCES);
+    let ways = NeglectedPaths { bounces, mirror_wavelengths: MIRROR_WAVELENGTHS };
     let Some(tree) = ways.tree(&world, plan)? else { return Ok(None) };
     let snapshot = Snapshot::of(world, tree);
     let scatterer = snapshot.scatterer(plan, Phase::Checking);

@@ -7,15 +7,17 @@ use crate::bodies::models::Models;
 use crate::bodies::world::World;
 use crate::frame::band_power::{frequencies_hz, mean, mean_difference, total};
 use crate::frame::integration_error::of_meeting;
-use crate::frame::left_out::road::ways_by_road;
-use crate::frame::left_out::ways::{ACCURACY, ANY_RULE_ORDERS, LeftOutWays, WaysByRule, orders_by_rule};
+use crate::frame::left_out::neglected_paths::{
+    ACCURACY, ANY_RULE_ORDERS, NeglectedPaths, PathsByRule, orders_by_rule,
+};
+use crate::frame::left_out::road::paths_by_road;
 use crate::frame::path_plan::Plan;
 use crate::frame::snapshot::Snapshot;
 use crate::joins::scatterer::{Integration, Scatterer, bracket_of, meets_several_vehicles};
-use crate::oversight::error::BartError;
-use crate::oversight::progress::{Phase, Progress};
+use crate::run_control::error::BartError;
+use crate::run_control::progress::{Phase, Progress};
 use crate::table::aspect::other;
-use crate::table::meeting::{MeetingSettings, OrderJoints};
+use crate::table::order_joints::{JointSettings, OrderJoints};
 use artifact::Accuracy;
 use artifact::material::Transmission;
 use artifact::scene::{SceneFrame, SceneHeader};
@@ -68,11 +70,11 @@ const MARGIN: f64 = 1.4;
 const FREQUENCIES: usize = 12;
 /// Paths of the computation. Mirrors below a wavelength are not followed; with only those above five the
 /// fourth order of the built-in cars is 10 dB too weak.
-const WAYS: LeftOutWays = LeftOutWays { bounces: ORDERS, mirror_wavelengths: 1.0 };
+const WAYS: NeglectedPaths = NeglectedPaths { bounces: ORDERS, mirror_wavelengths: 1.0 };
 /// Order whose polygons are separated where own edges take over.
 const PARTED_ORDER: u8 = 2;
 
-/// [`crate::Tracer::parts`] for these models.
+/// [`crate::Tracer::echo_parts`] for these models.
 pub(crate) fn echo_parts(
     models: &Models,
     header: &SceneHeader,
@@ -80,7 +82,7 @@ pub(crate) fn echo_parts(
     progress: &dyn Progress,
 ) -> Result<Option<EchoParts>, BartError> {
     let nodes = header.fidelity.nodes;
-    let header = &looked_at(header);
+    let header = &coarse_header(header);
     let gains = BodyGains::of(models, header, frame)?;
     let plan = Plan::of(header, frame, progress).with_gains(gains);
     let world = World::posed(models, header, frame, plan.check_s)?;
@@ -95,7 +97,7 @@ pub(crate) fn echo_parts(
 }
 
 /// Scene with the coarseness and completeness of the computation.
-fn looked_at(header: &SceneHeader) -> SceneHeader {
+fn coarse_header(header: &SceneHeader) -> SceneHeader {
     let mut header = header.clone();
     header.fidelity.accuracy = Accuracy::from_db(db_from_amplitude(ACCURACY));
     header.fidelity.bounces = ORDERS;
@@ -134,7 +136,7 @@ impl<'a> CoarseEcho<'a> {
             return Ok(None);
         }
         let (orders, world) = ((ORDERS, self.nodes), self.scatterer.world);
-        let by_road = ways_by_road(world, self.plan, orders, &self.wavenumbers_per_m)?;
+        let by_road = paths_by_road(world, self.plan, orders, &self.wavenumbers_per_m)?;
         let share = |part: &Vec<Complex64>| MARGIN * (mean(part) / power).sqrt();
         let first_orders = total(by_order.iter().take(usize::from(TRANSMITTED_ORDERS)).cloned(), FREQUENCIES);
         let changed = through.map_or(0.0, |through| mean_difference(&first_orders, &through));
@@ -157,9 +159,11 @@ impl<'a> CoarseEcho<'a> {
     /// S of paths on one body, and of those over several, by order from 1.
     fn ways(&self, bounces: u8) -> Vec<[Vec<Complex64>; 2]> {
         let Self { scatterer, plan, wavenumbers_per_m, nodes } = self;
-        let ways = WaysByRule { scatterer, plan, wavenumbers_per_m };
+        let ways = PathsByRule { scatterer, plan, wavenumbers_per_m };
         orders_by_rule(bounces, *nodes, |order, rule| {
-            ways.parted(order, rule, |joint| meets_several_vehicles(scatterer, joint.forward, joint.backward))
+            ways.split_by_selection(order, rule, |joint| {
+                meets_several_vehicles(scatterer, joint.forward, joint.backward)
+            })
         })
     }
 
@@ -187,7 +191,7 @@ impl<'a> CoarseEcho<'a> {
     fn node_spread(&self, doubles: &DoubleReflections, by_order: &[Vec<Complex64>]) -> f64 {
         let nodes = other(NodeRule::OwnEdge);
         let by_other = |order: u8, edges: Edges| {
-            let settings = MeetingSettings { nodes, edges, ..self.plan.meetings() };
+            let settings = JointSettings { nodes, edges, ..self.plan.meetings() };
             self.sum(&OrderJoints::of(&self.scatterer, order, &settings), nodes)
         };
         let spread = |order: u8| match (order, self.plan.header.fidelity.edges) {
@@ -209,8 +213,8 @@ impl<'a> CoarseEcho<'a> {
         pairs.map(|(with, without)| with - without).collect()
     }
 
-    fn own_edge(&self, edges: Edges) -> MeetingSettings {
-        MeetingSettings { edges, nodes: NodeRule::OwnEdge, ..self.plan.meetings() }
+    fn own_edge(&self, edges: Edges) -> JointSettings {
+        JointSettings { edges, nodes: NodeRule::OwnEdge, ..self.plan.meetings() }
     }
 
     fn sum(&self, meeting: &OrderJoints, nodes: NodeRule) -> Vec<Complex64> {
@@ -254,7 +258,7 @@ fn through_sheets(
     if world.sheets().is_empty() {
         return Ok(None);
     }
-    let ways = LeftOutWays { bounces: TRANSMITTED_ORDERS, ..WAYS };
+    let ways = NeglectedPaths { bounces: TRANSMITTED_ORDERS, ..WAYS };
     let Some(tree) = ways.tree(&world, plan)? else { return Ok(None) };
     let snapshot = Snapshot::of(world, tree);
     let coarse = CoarseEcho::of(snapshot.scatterer(plan, Phase::Checking), plan, nodes);

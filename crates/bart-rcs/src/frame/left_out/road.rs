@@ -1,14 +1,14 @@
 //! Error of leaving out the road: the paths via a road, summed in addition to those traced without.
 
-use crate::beams::image_tree::Received;
+use crate::beams::image_tree::RoadTree;
 use crate::bodies::road::usual_road;
 use crate::bodies::world::World;
-use crate::frame::frame_error::Reference;
-use crate::frame::left_out::ways::{LeftOutWays, WaysByRule, orders_by_rule};
+use crate::frame::frame_error::FrameReference;
+use crate::frame::left_out::neglected_paths::{NeglectedPaths, PathsByRule, orders_by_rule};
 use crate::frame::path_plan::Plan;
 use crate::joins::joint::Trees;
 use crate::joins::scatterer::{Scatterer, ZenithH};
-use crate::oversight::error::BartError;
+use crate::run_control::error::BartError;
 use artifact::settings::{NodeRule, Sides};
 use num_complex::Complex64;
 
@@ -17,15 +17,15 @@ use num_complex::Complex64;
 ///
 /// It covers one and two bounces on bodies by the middle rule, facets alone, to a quarter of each integral;
 /// higher orders are assumed to gain the same share, and computed too if they contain most of the echo
-/// ([`Reference::telling_orders`]). `None` if there is a road, or no body; if paths via it could not be
-/// followed; and if their beams would exceed the memory of the frame.
+/// ([`FrameReference::representative_orders`]). `None` if there is a road, or no body; if paths via it could
+/// not be followed; and if their beams would exceed the memory of the frame.
 pub(crate) fn road_left_out(
     world: &World,
     plan: &Plan<'_>,
-    reference: &Reference,
+    reference: &FrameReference,
 ) -> Result<Option<f64>, BartError> {
-    let bounces = reference.telling_orders(BOUNCES);
-    let of = |scatterer: &Scatterer<'_>, ways: &LeftOutWays| {
+    let bounces = reference.representative_orders(BOUNCES);
+    let of = |scatterer: &Scatterer<'_>, ways: &NeglectedPaths| {
         ways.relative(scatterer, plan, reference, |joint| scatterer.goes_by_road(joint))
     };
     Ok(over_usual_road(world, plan, bounces, of)?.flatten())
@@ -33,14 +33,14 @@ pub(crate) fn road_left_out(
 
 /// S of the paths via the usual road over the wavenumbers, by order from 1, as in [`orders_by_rule`]; `None`
 /// as for [`road_left_out`].
-pub(crate) fn ways_by_road(
+pub(crate) fn paths_by_road(
     world: &World,
     plan: &Plan<'_>,
     (bounces, rule): (u8, NodeRule),
     wavenumbers_per_m: &[f64],
 ) -> Result<Option<Vec<Vec<Complex64>>>, BartError> {
     over_usual_road(world, plan, bounces, |scatterer, _| {
-        let ways = WaysByRule { scatterer, plan, wavenumbers_per_m };
+        let ways = PathsByRule { scatterer, plan, wavenumbers_per_m };
         let by_road = |order, rule| [ways.of(order, rule, |joint| scatterer.goes_by_road(joint))];
         orders_by_rule(bounces, rule, by_road).into_iter().flatten().collect()
     })
@@ -51,7 +51,7 @@ fn over_usual_road<T>(
     world: &World,
     plan: &Plan<'_>,
     bounces: u8,
-    of: impl Fn(&Scatterer<'_>, &LeftOutWays) -> T,
+    of: impl Fn(&Scatterer<'_>, &NeglectedPaths) -> T,
 ) -> Result<Option<T>, BartError> {
     let Some(road) = usual_road() else { return Ok(None) };
     let is_above = plan.check_middle_m().z > 0.0 && world.check_above_road().is_ok();
@@ -61,9 +61,9 @@ fn over_usual_road<T>(
     }
     // Beams via the road need twice the memory of the tree's own.
     let world = world.over(&road)?.within(world.memory_limit().share_of(3));
-    let ways = LeftOutWays { bounces, mirror_wavelengths: MIRROR_WAVELENGTHS };
+    let ways = NeglectedPaths { bounces, mirror_wavelengths: MIRROR_WAVELENGTHS };
     let Some(tree) = ways.tree(&world, plan)? else { return Ok(None) };
-    let received = Received::with_image(&world, &tree);
+    let received = RoadTree::with_image(&world, &tree);
     let h = plan.zenith_h();
     let trees = Trees::ByRoad(&tree, &received);
     let scatterer =

@@ -3,8 +3,8 @@
 
 use crate::mesh::curve_bend::{may_be_a_step, may_be_of_one_curve};
 use crate::mesh::mesh_edges::{MeshEdge, TriangleSide};
-use crate::mesh::surface_topology::{Blade, Topology};
-use crate::mesh::t_junction::Nearness;
+use crate::mesh::surface_topology::{FanFacet, Topology};
+use crate::mesh::t_junction::CornerTolerance;
 use crate::mesh::wedges::wedge::Wedge;
 use crate::mesh::welding::rounding_m;
 use glam::DVec3;
@@ -59,13 +59,13 @@ const LEAST_BEND_RAD: f64 = 1.0 * PI / 180.0;
 const SHADED_BEND_RAD: f64 = 65.0 * PI / 180.0;
 
 /// Edges of a mesh; `corner_normals` are those stored for the corners of its triangles, empty if there are
-/// none. Seams and planes are closed within `untold_m`, a distance negligible for any wave.
+/// none. Seams and planes are closed within `negligible_m`, a distance negligible for any wave.
 pub(crate) fn body_edges(
     triangles_m: &[[DVec3; 3]],
     corner_normals: &[[DVec3; 3]],
-    untold_m: f64,
+    negligible_m: f64,
 ) -> BodyEdges {
-    let near = Nearness { rounding_m: rounding_m(triangles_m.as_flattened()), untold_m };
+    let near = CornerTolerance { rounding_m: rounding_m(triangles_m.as_flattened()), negligible_m };
     let topology = Topology::of(triangles_m, near);
     let bends: Vec<DiffractingLine> =
         topology.lines().filter_map(|line| DiffractingLine::of(&topology, &line)).collect();
@@ -80,7 +80,7 @@ pub(crate) fn body_edges(
 struct DiffractingLine {
     edge: BodyEdge,
     /// Facets of face 1 and face 2.
-    blades: [Blade; 2],
+    blades: [FanFacet; 2],
     /// Exterior angle beyond a half turn, (N − 1)π.
     turn_rad: f64,
 }
@@ -147,7 +147,7 @@ fn is_curve(
     match shading(bend, corner_normals) {
         Shading::Smooth => true,
         Shading::Creased => false,
-        Shading::Flat => may_be_a_step(bend.turn_rad) && goes_on(bend, bends, by_patch),
+        Shading::Flat => may_be_a_step(bend.turn_rad) && continues_curve(bend, bends, by_patch),
     }
 }
 
@@ -165,7 +165,7 @@ fn shading(bend: &DiffractingLine, corner_normals: &[[DVec3; 3]]) -> Shading {
     let [Some(a), Some(b)] = bend.blades.map(|blade| corner_normals.get(blade.side.triangle as usize)) else {
         return Shading::Flat;
     };
-    let ends = |normals: &[DVec3; 3], blade: &Blade| {
+    let ends = |normals: &[DVec3; 3], blade: &FanFacet| {
         let from = usize::from(blade.side.side);
         [normals[from], normals[(from + 1) % 3]]
     };
@@ -184,7 +184,7 @@ fn shading(bend: &DiffractingLine, corner_normals: &[[DVec3; 3]]) -> Shading {
 }
 
 /// Whether one of the two patches has another edge with a bend in the same sense and of similar size.
-fn goes_on(bend: &DiffractingLine, bends: &[DiffractingLine], by_patch: &[Vec<u32>]) -> bool {
+fn continues_curve(bend: &DiffractingLine, bends: &[DiffractingLine], by_patch: &[Vec<u32>]) -> bool {
     bend.edge.patches.iter().any(|&patch| {
         let outward = bend.outward_of(patch);
         by_patch[patch as usize].iter().map(|index| &bends[*index as usize]).any(|other| {

@@ -11,7 +11,7 @@ pub(crate) struct FaceEnds {
 
 /// Intersection of a ray along a face with its end.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Met {
+pub(crate) struct FaceExit {
     /// Distance along the ray.
     pub(crate) way_m: f64,
     /// Edge there; `None` at a wall.
@@ -32,7 +32,7 @@ impl FaceEnds {
     }
 
     /// Nearest end from (0, `at_m`) along the unit vector `direction` (x > 0).
-    pub(crate) fn nearest(&self, at_m: f64, direction: DVec2) -> Option<Met> {
+    pub(crate) fn nearest(&self, at_m: f64, direction: DVec2) -> Option<FaceExit> {
         let start = DVec2::new(0.0, at_m);
         let is_met = |(corners, _): &([DVec2; 2], Option<u32>)| {
             let [p, q] = corners.map(|x| direction.perp_dot(x - start) < 0.0);
@@ -45,12 +45,12 @@ impl FaceEnds {
 
     /// Intersection of a ray from (0, `at_m`) with the line of one end, possibly beyond its corners; the
     /// start itself if the line lies behind it.
-    pub(crate) fn on_line(&self, end: usize, at_m: f64, direction: DVec2) -> Met {
+    pub(crate) fn on_line(&self, end: usize, at_m: f64, direction: DVec2) -> FaceExit {
         let start = DVec2::new(0.0, at_m);
         let ([p, q], edge) = self.ends[end];
         let [across_p, across_q] = [p, q].map(|x| direction.perp_dot(x - start));
         let way_m = direction.dot(p.lerp(q, across_p / (across_p - across_q)) - start);
-        Met { way_m: way_m.max(0.0), edge, end }
+        FaceExit { way_m: way_m.max(0.0), edge, end }
     }
 
     /// Positions along the edge where rays in `direction` change from one end to another: the ends' corners,
@@ -77,7 +77,7 @@ mod tests {
         let end = |i: usize| PatchEnd { ends_m: [square[i], square[(i + 1) % 4]], edge: Some(i as u32) };
         let ends: Vec<PatchEnd> = (0..4).map(end).collect();
         let seen = FaceEnds::seen_from(DVec3::ZERO, DVec3::Y, DVec3::X, &ends);
-        assert_eq!(seen.nearest(0.5, DVec2::X), Some(Met { way_m: 3.0, edge: Some(2), end: 1 }));
+        assert_eq!(seen.nearest(0.5, DVec2::X), Some(FaceExit { way_m: 3.0, edge: Some(2), end: 1 }));
         let slant = DVec2::new(0.6, 0.8);
         assert!((seen.nearest(0.4, slant).unwrap().way_m - 2.0).abs() < 1e-14, "to the upper side");
         assert!((seen.nearest(-3.9, slant).unwrap().way_m - 4.875).abs() < 1e-14, "through the lower side");

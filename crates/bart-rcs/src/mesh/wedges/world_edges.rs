@@ -1,8 +1,8 @@
 //! Edges of all bodies at one instant.
 
 use crate::mesh::wedges::body_edges::{BodyEdge, BodyEdges, EdgeSide, Patch, PatchEnd};
+use crate::mesh::wedges::coincident_rims::lines;
 use crate::mesh::wedges::face_end::FaceEnds;
-use crate::mesh::wedges::side_by_side::lines;
 use crate::mesh::wedges::wedge::Wedge;
 use glam::{DMat3, DVec2, DVec3};
 

@@ -1,6 +1,6 @@
 //! Proportions of buses.
 
-use crate::vehicles::dimensions::{Draw, SizeRange};
+use crate::vehicles::dimensions::{ParameterSampler, SizeRange};
 use crate::vehicles::drawing::curve::Curve;
 
 /// Kind of bus.
@@ -56,19 +56,19 @@ pub(crate) fn size_range(model: &str) -> SizeRange {
 
 impl Form {
     /// Form drawn for the model and seed, in the given size.
-    pub(crate) fn of(draw: &Draw, size_m: [f64; 3]) -> Self {
-        match draw.model {
-            "bus-city" => Self::city(draw, size_m),
-            "bus-coach" => Self::coach(draw, size_m),
-            _ => Self::mini(draw, size_m),
+    pub(crate) fn of(sampler: &ParameterSampler, size_m: [f64; 3]) -> Self {
+        match sampler.model {
+            "bus-city" => Self::city(sampler, size_m),
+            "bus-coach" => Self::coach(sampler, size_m),
+            _ => Self::mini(sampler, size_m),
         }
     }
 
-    fn city(draw: &Draw, size_m: [f64; 3]) -> Self {
+    fn city(sampler: &ParameterSampler, size_m: [f64; 3]) -> Self {
         let front = 0.5 * size_m[0] - 0.1;
         let rear = -0.5 * size_m[0];
-        let front_axle_x = front - draw.value("front overhang", 2.70, 2.55..=2.8);
-        let rear_axle_x = rear + draw.value("rear overhang", 3.35, 3.0..=3.45);
+        let front_axle_x = front - sampler.value("front overhang", 2.70, 2.55..=2.8);
+        let rear_axle_x = rear + sampler.value("rear overhang", 3.35, 3.0..=3.45);
         let middle = 0.5 * (front_axle_x + rear_axle_x) + 0.25;
         Self {
             kind: Kind::City,
@@ -76,15 +76,15 @@ impl Form {
             ends_x: [front, rear],
             half_width_m: 1.275,
             roof_z: size_m[2] - 0.22,
-            clearance_m: draw.value("clearance", 0.28, 0.25..=0.32),
+            clearance_m: sampler.value("clearance", 0.28, 0.25..=0.32),
             wheel_radius_m: 0.48,
             tyre_width_m: 0.275,
             front_axle_x,
             rear_axle_x,
-            panes_z: [draw.value("window sill", 1.18, 1.1..=1.3), size_m[2] - 0.62],
+            panes_z: [sampler.value("window sill", 1.18, 1.1..=1.3), size_m[2] - 0.62],
             windscreen_z: [1.0, size_m[2] - 0.72],
-            lean: draw.value("lean", 0.06, 0.03..=0.09),
-            pane_width_m: draw.value("pane", 1.45, 1.25..=1.6),
+            lean: sampler.value("lean", 0.06, 0.03..=0.09),
+            pane_width_m: sampler.value("pane", 1.45, 1.25..=1.6),
             doors_x: vec![
                 [front - 1.62, front - 0.42],
                 [middle - 0.65, middle + 0.65],
@@ -93,30 +93,30 @@ impl Form {
         }
     }
 
-    fn coach(draw: &Draw, size_m: [f64; 3]) -> Self {
+    fn coach(sampler: &ParameterSampler, size_m: [f64; 3]) -> Self {
         let front = 0.5 * size_m[0] - 0.3;
         let rear = -0.5 * size_m[0];
-        let front_axle_x = front - draw.value("front overhang", 2.80, 2.6..=2.9);
+        let front_axle_x = front - sampler.value("front overhang", 2.80, 2.6..=2.9);
         Self {
             kind: Kind::Coach,
             size_m,
             ends_x: [front, rear],
             half_width_m: 1.275,
             roof_z: size_m[2] - 0.15,
-            clearance_m: draw.value("clearance", 0.32, 0.28..=0.36),
+            clearance_m: sampler.value("clearance", 0.32, 0.28..=0.36),
             wheel_radius_m: 0.52,
             tyre_width_m: 0.295,
             front_axle_x,
-            rear_axle_x: rear + draw.value("rear overhang", 3.30, 3.0..=3.4),
-            panes_z: [size_m[2] - 2.0 + draw.value("window sill", 0.0, -0.1..=0.1), size_m[2] - 0.72],
+            rear_axle_x: rear + sampler.value("rear overhang", 3.30, 3.0..=3.4),
+            panes_z: [size_m[2] - 2.0 + sampler.value("window sill", 0.0, -0.1..=0.1), size_m[2] - 0.72],
             windscreen_z: [1.20, size_m[2] - 0.75],
-            lean: draw.value("lean", 0.13, 0.08..=0.17),
-            pane_width_m: draw.value("pane", 1.65, 1.4..=1.9),
+            lean: sampler.value("lean", 0.13, 0.08..=0.17),
+            pane_width_m: sampler.value("pane", 1.65, 1.4..=1.9),
             doors_x: vec![[front - 1.72, front - 0.75]],
         }
     }
 
-    fn mini(draw: &Draw, size_m: [f64; 3]) -> Self {
+    fn mini(sampler: &ParameterSampler, size_m: [f64; 3]) -> Self {
         let (front, rear) = (0.5 * size_m[0], -0.5 * size_m[0]);
         Self {
             kind: Kind::Mini,
@@ -124,15 +124,15 @@ impl Form {
             ends_x: [front, rear],
             half_width_m: 0.5 * size_m[1] - 0.19,
             roof_z: size_m[2],
-            clearance_m: draw.value("clearance", 0.24, 0.2..=0.28),
+            clearance_m: sampler.value("clearance", 0.24, 0.2..=0.28),
             wheel_radius_m: 0.345,
             tyre_width_m: 0.225,
-            front_axle_x: front - draw.value("front overhang", 1.0, 0.95..=1.05),
-            rear_axle_x: rear + draw.value("rear overhang", 1.62, 1.2..=1.65),
+            front_axle_x: front - sampler.value("front overhang", 1.0, 0.95..=1.05),
+            rear_axle_x: rear + sampler.value("rear overhang", 1.62, 1.2..=1.65),
             panes_z: [1.25, size_m[2] - 0.62],
             windscreen_z: [1.36, size_m[2] - 0.60],
             lean: 0.0,
-            pane_width_m: draw.value("pane", 1.2, 1.0..=1.4),
+            pane_width_m: sampler.value("pane", 1.2, 1.0..=1.4),
             doors_x: vec![[front - 2.95, front - 2.0]],
         }
     }

@@ -6,7 +6,7 @@ use crate::vehicles::drawing::openings::{
     End, Flank, PANE, end_panel, end_panel_pair, flank_panel, panel, wheel_arch,
 };
 use crate::vehicles::drawing::shell::{Layout, Shell, even, spaced};
-use crate::vehicles::drawing::stencil::{Inside, cut, soft_minimum};
+use crate::vehicles::drawing::stencil::{CutTreatment, cut, soft_minimum};
 use crate::vehicles::drawing::surface::{Material, Surface};
 use glam::DVec3;
 
@@ -131,7 +131,7 @@ fn leaning(form: &Form, p: DVec3) -> DVec3 {
 }
 
 fn skirt(form: &Form, skin: Surface) -> Surface {
-    cut(skin, |p| form.clearance_m + 0.10 - p.z, Inside::Recoloured(Material::Plastic))
+    cut(skin, |p| form.clearance_m + 0.10 - p.z, CutTreatment::Recoloured(Material::Plastic))
 }
 
 /// Side panes from the front to the rear, the same on both flanks; doors interrupt them on the right.
@@ -161,7 +161,7 @@ fn glazing_band(form: &Form, skin: Surface) -> Surface {
         (_, Some(along)) => {
             let [low, high] = form.panes_z;
             let band = panel(along, [low - 0.03, high + 0.04], 0.0);
-            flank_panel(skin, Flank::Both, band, Inside::Recoloured(Material::Plastic))
+            flank_panel(skin, Flank::Both, band, CutTreatment::Recoloured(Material::Plastic))
         }
     }
 }
@@ -254,9 +254,9 @@ fn front_lamps(form: &Form, skin: Surface) -> Surface {
         Kind::Coach => ([0.62, 0.84], panel([-0.60, 0.60], [0.48, 0.66], 0.05)),
     };
     // Lamps follow the skin around its corners: lowered lamps would fold there.
-    let lamp = Inside::Recoloured(Material::Lamp);
+    let lamp = CutTreatment::Recoloured(Material::Lamp);
     let skin = end_panel_pair(skin, reach, panel([0.62 * half, 0.95 * half], lamp_z, 0.06), lamp);
-    let slots = Inside::Inset { material: Material::Plastic, rim: Material::Plastic, depth_m: 0.03 };
+    let slots = CutTreatment::Inset { material: Material::Plastic, rim: Material::Plastic, depth_m: 0.03 };
     end_panel(skin, reach, grille, slots)
 }
 
@@ -264,7 +264,7 @@ fn rear_face(form: &Form, skin: Surface) -> Surface {
     let [_, rear] = form.ends_x;
     let half = form.half_width_m;
     let reach = End::Rear { beyond_x: rear + 0.4 };
-    let lamp = Inside::Inset { material: Material::TailLamp, rim: Material::Plastic, depth_m: 0.01 };
+    let lamp = CutTreatment::Inset { material: Material::TailLamp, rim: Material::Plastic, depth_m: 0.01 };
     let window_top = form.panes_z[1] - 0.02;
     let window_low = window_top - if form.kind == Kind::City { 0.75 } else { 0.85 };
     let skin = end_panel_pair(skin, reach, panel([0.80 * half, 0.95 * half], [0.75, 1.30], 0.05), lamp);
@@ -273,6 +273,6 @@ fn rear_face(form: &Form, skin: Surface) -> Surface {
     if form.kind == Kind::Mini {
         return skin;
     }
-    let louvres = Inside::Inset { material: Material::Plastic, rim: Material::Plastic, depth_m: 0.04 };
+    let louvres = CutTreatment::Inset { material: Material::Plastic, rim: Material::Plastic, depth_m: 0.04 };
     end_panel(skin, reach, panel([-0.70 * half, 0.70 * half], [0.85, 1.45], 0.04), louvres)
 }

@@ -1,11 +1,11 @@
 //! Proportions of passenger cars and the lines that follow from them.
 
-use crate::vehicles::dimensions::{Draw, SizeRange};
+use crate::vehicles::dimensions::{ParameterSampler, SizeRange};
 use crate::vehicles::drawing::curve::{Curve, smooth_step};
 
 /// Kind of body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Body {
+pub(crate) enum BodyStyle {
     SportUtility,
     Saloon,
     Hatchback,
@@ -14,7 +14,7 @@ pub(crate) enum Body {
 /// A car's proportions, in a drawing with x = 0 half way along and z = 0 on the ground.
 #[derive(Debug, Clone)]
 pub(crate) struct Form {
-    pub(crate) body: Body,
+    pub(crate) body: BodyStyle,
     pub(crate) size_m: [f64; 3],
     /// Half width of the body without mirrors.
     pub(crate) half_width_m: f64,
@@ -59,88 +59,88 @@ const MIRROR_OVERHANG_M: f64 = 0.09;
 
 impl Form {
     /// Form drawn for the model and seed, in the given size.
-    pub(crate) fn of(draw: &Draw, size_m: [f64; 3]) -> Self {
-        match draw.model {
-            "car-suv" => Self::sport_utility(draw, size_m),
-            "car-sedan" => Self::saloon(draw, size_m),
-            _ => Self::hatchback(draw, size_m),
+    pub(crate) fn of(sampler: &ParameterSampler, size_m: [f64; 3]) -> Self {
+        match sampler.model {
+            "car-suv" => Self::sport_utility(sampler, size_m),
+            "car-sedan" => Self::saloon(sampler, size_m),
+            _ => Self::hatchback(sampler, size_m),
         }
     }
 
-    fn sport_utility(draw: &Draw, size_m: [f64; 3]) -> Self {
+    fn sport_utility(sampler: &ParameterSampler, size_m: [f64; 3]) -> Self {
         let [length, width, height] = size_m;
         let (front, roof) = (0.5 * length, height - 0.045);
         Self {
-            body: Body::SportUtility,
+            body: BodyStyle::SportUtility,
             size_m,
             half_width_m: 0.5 * width - MIRROR_OVERHANG_M,
-            wheel_radius_m: draw.value("wheel radius", 0.39, 0.35..=0.41),
-            tyre_width_m: draw.value("tyre width", 0.255, 0.225..=0.285),
-            spokes: draw.value("spokes", 5.0, 5.0..=7.9) as u32,
-            front_axle_x: front - draw.value("front overhang", 0.92, 0.85..=0.95),
-            rear_axle_x: -front + draw.value("rear overhang", 1.04, 0.92..=1.06),
-            clearance_m: draw.value("clearance", 0.24, 0.19..=0.26),
+            wheel_radius_m: sampler.value("wheel radius", 0.39, 0.35..=0.41),
+            tyre_width_m: sampler.value("tyre width", 0.255, 0.225..=0.285),
+            spokes: sampler.value("spokes", 5.0, 5.0..=7.9) as u32,
+            front_axle_x: front - sampler.value("front overhang", 0.92, 0.85..=0.95),
+            rear_axle_x: -front + sampler.value("rear overhang", 1.04, 0.92..=1.06),
+            clearance_m: sampler.value("clearance", 0.24, 0.19..=0.26),
             cowl: (0.205 * length, roof - 0.555),
-            header: (0.205 * length - draw.value("windscreen", 0.70, 0.62..=0.80), roof - 0.055),
+            header: (0.205 * length - sampler.value("windscreen", 0.70, 0.62..=0.80), roof - 0.055),
             roof_end: (-0.437 * length, roof - 0.07),
             deck: (-0.437 * length - 0.17, roof - 0.58),
             nose_z: roof - 0.68,
             tail_z: roof - 0.66,
             waist_front_z: roof - 0.63,
             waist_rear_z: roof - 0.57,
-            roof_y: 0.5 * width - MIRROR_OVERHANG_M - draw.value("tumblehome", 0.27, 0.22..=0.30),
+            roof_y: 0.5 * width - MIRROR_OVERHANG_M - sampler.value("tumblehome", 0.27, 0.22..=0.30),
         }
     }
 
-    fn saloon(draw: &Draw, size_m: [f64; 3]) -> Self {
+    fn saloon(sampler: &ParameterSampler, size_m: [f64; 3]) -> Self {
         let [length, width, height] = size_m;
         let front = 0.5 * length;
-        let deck_x = -front + draw.value("boot", 0.62, 0.5..=0.7);
+        let deck_x = -front + sampler.value("boot", 0.62, 0.5..=0.7);
         Self {
-            body: Body::Saloon,
+            body: BodyStyle::Saloon,
             size_m,
             half_width_m: 0.5 * width - MIRROR_OVERHANG_M - 0.02,
-            wheel_radius_m: draw.value("wheel radius", 0.33, 0.31..=0.345),
-            tyre_width_m: draw.value("tyre width", 0.225, 0.205..=0.255),
-            spokes: draw.value("spokes", 7.0, 5.0..=9.9) as u32,
-            front_axle_x: front - draw.value("front overhang", 0.90, 0.82..=0.95),
-            rear_axle_x: -front + draw.value("rear overhang", 1.08, 1.0..=1.12),
-            clearance_m: draw.value("clearance", 0.16, 0.14..=0.18),
+            wheel_radius_m: sampler.value("wheel radius", 0.33, 0.31..=0.345),
+            tyre_width_m: sampler.value("tyre width", 0.225, 0.205..=0.255),
+            spokes: sampler.value("spokes", 7.0, 5.0..=9.9) as u32,
+            front_axle_x: front - sampler.value("front overhang", 0.90, 0.82..=0.95),
+            rear_axle_x: -front + sampler.value("rear overhang", 1.08, 1.0..=1.12),
+            clearance_m: sampler.value("clearance", 0.16, 0.14..=0.18),
             cowl: (0.205 * length, height - 0.48),
-            header: (0.205 * length - draw.value("windscreen", 0.84, 0.78..=0.92), height - 0.04),
-            roof_end: (deck_x + draw.value("rear window", 0.78, 0.7..=0.85), height - 0.055),
+            header: (0.205 * length - sampler.value("windscreen", 0.84, 0.78..=0.92), height - 0.04),
+            roof_end: (deck_x + sampler.value("rear window", 0.78, 0.7..=0.85), height - 0.055),
             deck: (deck_x, height - 0.41),
             nose_z: height - 0.66,
             tail_z: height - 0.46,
             waist_front_z: height - 0.58,
             waist_rear_z: height - 0.51,
-            roof_y: 0.5 * width - MIRROR_OVERHANG_M - draw.value("tumblehome", 0.33, 0.3..=0.36),
+            roof_y: 0.5 * width - MIRROR_OVERHANG_M - sampler.value("tumblehome", 0.33, 0.3..=0.36),
         }
     }
 
-    fn hatchback(draw: &Draw, size_m: [f64; 3]) -> Self {
+    fn hatchback(sampler: &ParameterSampler, size_m: [f64; 3]) -> Self {
         let [length, width, height] = size_m;
         let front = 0.5 * length;
-        let roof_end_x = -front + draw.value("tailgate", 0.56, 0.48..=0.62);
+        let roof_end_x = -front + sampler.value("tailgate", 0.56, 0.48..=0.62);
         Self {
-            body: Body::Hatchback,
+            body: BodyStyle::Hatchback,
             size_m,
             half_width_m: 0.5 * width - MIRROR_OVERHANG_M - 0.02,
-            wheel_radius_m: draw.value("wheel radius", 0.315, 0.295..=0.335),
-            tyre_width_m: draw.value("tyre width", 0.205, 0.185..=0.225),
-            spokes: draw.value("spokes", 5.0, 5.0..=8.9) as u32,
-            front_axle_x: front - draw.value("front overhang", 0.84, 0.78..=0.88),
-            rear_axle_x: -front + draw.value("rear overhang", 0.74, 0.66..=0.82),
-            clearance_m: draw.value("clearance", 0.16, 0.14..=0.18),
+            wheel_radius_m: sampler.value("wheel radius", 0.315, 0.295..=0.335),
+            tyre_width_m: sampler.value("tyre width", 0.205, 0.185..=0.225),
+            spokes: sampler.value("spokes", 5.0, 5.0..=8.9) as u32,
+            front_axle_x: front - sampler.value("front overhang", 0.84, 0.78..=0.88),
+            rear_axle_x: -front + sampler.value("rear overhang", 0.74, 0.66..=0.82),
+            clearance_m: sampler.value("clearance", 0.16, 0.14..=0.18),
             cowl: (0.235 * length, height - 0.47),
-            header: (0.235 * length - draw.value("windscreen", 0.88, 0.8..=0.95), height - 0.045),
+            header: (0.235 * length - sampler.value("windscreen", 0.88, 0.8..=0.95), height - 0.045),
             roof_end: (roof_end_x, height - 0.08),
             deck: (roof_end_x - 0.46, height - 0.53),
             nose_z: height - 0.69,
             tail_z: height - 0.64,
             waist_front_z: height - 0.58,
             waist_rear_z: height - 0.51,
-            roof_y: 0.5 * width - MIRROR_OVERHANG_M - draw.value("tumblehome", 0.31, 0.28..=0.34),
+            roof_y: 0.5 * width - MIRROR_OVERHANG_M - sampler.value("tumblehome", 0.31, 0.28..=0.34),
         }
     }
 
@@ -172,7 +172,7 @@ impl Form {
     /// Silhouette in the middle plane: bonnet, windscreen, roof, rear window, boot.
     pub(crate) fn top_z(&self) -> Curve {
         let [front, rear] = self.ends_x();
-        let roof = self.header.1 + if self.body == Body::SportUtility { 0.055 } else { 0.042 };
+        let roof = self.header.1 + if self.body == BodyStyle::SportUtility { 0.055 } else { 0.042 };
         let ((cx, cz), (hx, hz)) = (self.cowl, self.header);
         let ((rx, rz), (dx, dz)) = (self.roof_end, self.deck);
         let (up, down) = ((hz - cz) / (hx - cx), (rz - dz) / (rx - dx));
@@ -189,7 +189,7 @@ impl Form {
             (rx - 0.04, rz - 0.04 * down),
             (dx + 0.04, dz + 0.04 * down),
         ];
-        if self.body == Body::Saloon {
+        if self.body == BodyStyle::Saloon {
             points.extend([(dx - 0.08, dz - 0.012), (rear + 0.06, self.tail_z + 0.02)]);
         }
         points.push((rear, self.tail_z));

@@ -1,10 +1,10 @@
 //! A car's skin: the shell, bowed at both ends, with arches, panes, lamps and grille cut in.
 
-use crate::vehicles::car::form::{Body, Form};
+use crate::vehicles::car::form::{BodyStyle, Form};
 use crate::vehicles::drawing::curve::{Curve, smooth_step};
 use crate::vehicles::drawing::openings::PANE;
 use crate::vehicles::drawing::shell::{Layout, Shell, even};
-use crate::vehicles::drawing::stencil::{Inside, cut, rounded_rectangle, soft_minimum};
+use crate::vehicles::drawing::stencil::{CutTreatment, cut, rounded_rectangle, soft_minimum};
 use crate::vehicles::drawing::surface::{Material, Surface};
 use glam::DVec3;
 
@@ -104,10 +104,10 @@ fn bowed(form: &Form, p: DVec3) -> DVec3 {
 
 /// Unpainted sills, and on a sport utility the lips around the arches.
 fn cladding(form: &Form, skin: Surface) -> Surface {
-    let sill_z = form.clearance_m + if form.body == Body::SportUtility { 0.16 } else { 0.07 };
-    let lip = if form.body == Body::SportUtility { 0.065 } else { 0.0 };
+    let sill_z = form.clearance_m + if form.body == BodyStyle::SportUtility { 0.16 } else { 0.07 };
+    let lip = if form.body == BodyStyle::SportUtility { 0.065 } else { 0.0 };
     let [front, rear] = form.ends_x();
-    let bumper = if form.body == Body::SportUtility { 0.14 } else { 0.0 };
+    let bumper = if form.body == BodyStyle::SportUtility { 0.14 } else { 0.0 };
     let outline = |p: DVec3| {
         let near_end =
             smooth_step(front - 0.75, front - 0.45, p.x) + smooth_step(rear + 0.75, rear + 0.45, p.x);
@@ -116,7 +116,7 @@ fn cladding(form: &Form, skin: Surface) -> Surface {
             form.axles_x().map(|x| form.arch_radius_m() + lip - (p.x - x).hypot(p.z - form.wheel_radius_m));
         (sill_z - p.z).max(around[0]).max(around[1])
     };
-    cut(skin, outline, Inside::Recoloured(Material::Plastic))
+    cut(skin, outline, CutTreatment::Recoloured(Material::Plastic))
 }
 
 fn arches(form: &Form, skin: Surface) -> Surface {
@@ -125,7 +125,7 @@ fn arches(form: &Form, skin: Surface) -> Surface {
             let circle = form.arch_radius_m() - (p.x - axle_x).hypot(p.z - form.wheel_radius_m);
             circle.min(p.y.abs() - form.arch_inner_y())
         };
-        cut(skin, outline, Inside::Opened { flange_m: 0.05 })
+        cut(skin, outline, CutTreatment::Opened { flange_m: 0.05 })
     })
 }
 
@@ -135,12 +135,12 @@ fn pane_spans(form: &Form) -> Vec<[f64; 2]> {
     let pillar_b = form.door_post_x();
     let pillar_c = form.rear_axle_x + 0.36;
     match form.body {
-        Body::SportUtility => {
+        BodyStyle::SportUtility => {
             let rear = form.roof_end.0 + 0.02;
             vec![[pillar_b + 0.05, front], [pillar_c + 0.05, pillar_b - 0.05], [rear, pillar_c - 0.06]]
         }
-        Body::Saloon => vec![[pillar_b + 0.05, front], [form.roof_end.0 - 0.22, pillar_b - 0.05]],
-        Body::Hatchback => vec![[pillar_b + 0.05, front], [form.rear_axle_x + 0.02, pillar_b - 0.05]],
+        BodyStyle::Saloon => vec![[pillar_b + 0.05, front], [form.roof_end.0 - 0.22, pillar_b - 0.05]],
+        BodyStyle::Hatchback => vec![[pillar_b + 0.05, front], [form.rear_axle_x + 0.02, pillar_b - 0.05]],
     }
 }
 
@@ -175,7 +175,7 @@ fn front_face(form: &Form, skin: Surface) -> Surface {
     let ahead = form.ends_x()[0] - 0.45;
     let (half, nose, low) = (form.half_width_m, form.nose_z, form.clearance_m);
     let grille_top = nose - 0.03;
-    let grille_low = if form.body == Body::SportUtility { nose - 0.30 } else { nose - 0.19 };
+    let grille_low = if form.body == BodyStyle::SportUtility { nose - 0.30 } else { nose - 0.19 };
     let grille = |p: DVec3| {
         rounded_rectangle(p.y, p.z, [-0.40 * half, 0.40 * half], [grille_low, grille_top - 0.05], 0.05)
             .min(p.x - ahead)
@@ -192,15 +192,15 @@ fn front_face(form: &Form, skin: Surface) -> Surface {
     let skin = cut(
         skin,
         grille,
-        Inside::Inset { material: Material::Plastic, rim: Material::Chrome, depth_m: 0.025 },
+        CutTreatment::Inset { material: Material::Plastic, rim: Material::Chrome, depth_m: 0.025 },
     );
-    let skin = cut(skin, lamps, Inside::Recoloured(Material::Lamp));
-    let (trim, depth_m) = if form.body == Body::SportUtility {
+    let skin = cut(skin, lamps, CutTreatment::Recoloured(Material::Lamp));
+    let (trim, depth_m) = if form.body == BodyStyle::SportUtility {
         (Material::Aluminium, 0.012)
     } else {
         (Material::Plastic, 0.03)
     };
-    cut(skin, intake, Inside::Inset { material: trim, rim: Material::Plastic, depth_m })
+    cut(skin, intake, CutTreatment::Inset { material: trim, rim: Material::Plastic, depth_m })
 }
 
 fn rear_face(form: &Form, skin: Surface) -> Surface {
@@ -208,14 +208,14 @@ fn rear_face(form: &Form, skin: Surface) -> Surface {
     let (half, tail, low) = (form.half_width_m, form.tail_z, form.clearance_m);
     let lamps = |p: DVec3| {
         let (span, heights) = match form.body {
-            Body::SportUtility => ([0.66 * half, 1.1 * half], [tail - 0.26, tail - 0.02]),
+            BodyStyle::SportUtility => ([0.66 * half, 1.1 * half], [tail - 0.26, tail - 0.02]),
             _ => ([0.50 * half, 1.1 * half], [tail - 0.20, tail - 0.05]),
         };
         rounded_rectangle(p.y.abs(), p.z, span, heights, 0.04).min(behind - 0.18 - p.x)
     };
-    let skin = cut(skin, lamps, Inside::Recoloured(Material::TailLamp));
+    let skin = cut(skin, lamps, CutTreatment::Recoloured(Material::TailLamp));
     let recess = |p: DVec3| {
         rounded_rectangle(p.y, p.z, [-0.33, 0.33], [low + 0.36, low + 0.51], 0.03).min(behind - p.x)
     };
-    cut(skin, recess, Inside::Inset { material: Material::Paint, rim: Material::Paint, depth_m: 0.02 })
+    cut(skin, recess, CutTreatment::Inset { material: Material::Paint, rim: Material::Paint, depth_m: 0.02 })
 }

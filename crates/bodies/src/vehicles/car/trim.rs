@@ -1,6 +1,6 @@
 //! Trim on a car's skin: mirrors, handles, plates, rails, exhaust, seats behind the glass.
 
-use crate::vehicles::car::form::{Body, Form};
+use crate::vehicles::car::form::{BodyStyle, Form};
 use crate::vehicles::car::skin::shell;
 use crate::vehicles::drawing::mesh_builder::Assembly;
 use crate::vehicles::drawing::shell::Shell;
@@ -13,7 +13,7 @@ pub(crate) fn add(form: &Form, car: &mut Assembly) {
     handles(form, &shell, car);
     plates(form, car);
     underbody(form, car);
-    if form.body == Body::SportUtility {
+    if form.body == BodyStyle::SportUtility {
         roof_rails(form, &shell, car);
     }
 }

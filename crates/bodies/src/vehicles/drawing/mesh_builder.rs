@@ -29,12 +29,12 @@ pub struct Vehicle {
 pub(crate) struct Assembly {
     parts: Vec<Surface>,
     /// Kind of each part.
-    of: Vec<PartOf>,
+    of: Vec<PartKind>,
 }
 
 /// Whether a part belongs to a road wheel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum PartOf {
+enum PartKind {
     Body,
     Wheel,
 }
@@ -42,24 +42,24 @@ enum PartOf {
 impl Assembly {
     /// Adds one more part.
     pub(crate) fn add(&mut self, part: Surface) {
-        self.push(part, PartOf::Body);
+        self.push(part, PartKind::Body);
     }
 
     /// Adds a part of the left side and its mirror image.
     pub(crate) fn add_pair(&mut self, part: Surface) {
-        self.push(part.clone(), PartOf::Body);
-        self.push(part.mirrored(), PartOf::Body);
+        self.push(part.clone(), PartKind::Body);
+        self.push(part.mirrored(), PartKind::Body);
     }
 
     /// Adds a part of a road wheel.
     pub(crate) fn add_of_wheel(&mut self, part: Surface) {
-        self.push(part, PartOf::Wheel);
+        self.push(part, PartKind::Wheel);
     }
 
     /// Adds a part of a road wheel on the left, and its mirror image on the right.
     pub(crate) fn add_pair_of_wheels(&mut self, part: Surface) {
-        self.push(part.clone(), PartOf::Wheel);
-        self.push(part.mirrored(), PartOf::Wheel);
+        self.push(part.clone(), PartKind::Wheel);
+        self.push(part.mirrored(), PartKind::Wheel);
     }
 
     /// Adds the parts of another assembly, each transformed by `change`.
@@ -68,7 +68,7 @@ impl Assembly {
         self.of.extend(other.of);
     }
 
-    fn push(&mut self, part: Surface, of: PartOf) {
+    fn push(&mut self, part: Surface, of: PartKind) {
         self.parts.push(part);
         self.of.push(of);
     }
@@ -110,11 +110,11 @@ type Key = (Material, [u32; 3], [u32; 3]);
 #[derive(Default)]
 struct Output {
     /// Triangles, with their kinds of part.
-    by_material: BTreeMap<Material, Vec<([Key; 3], PartOf)>>,
+    by_material: BTreeMap<Material, Vec<([Key; 3], PartKind)>>,
 }
 
 impl Output {
-    fn add(&mut self, part: &Surface, of: PartOf) {
+    fn add(&mut self, part: &Surface, of: PartKind) {
         let part = &rounded(part);
         let around = triangles_around(part);
         let unit = |t: &Triangle| part.area_vector_m2(t).try_normalize().unwrap_or(DVec3::ZERO);
@@ -136,7 +136,7 @@ impl Output {
             mesh.materials.push(material.name().to_owned());
             let mut index_of = BTreeMap::new();
             for (corners, of) in triangles {
-                is_of_wheel.push(*of == PartOf::Wheel);
+                is_of_wheel.push(*of == PartKind::Wheel);
                 let triangle = corners.map(|key| {
                     *index_of.entry(key).or_insert_with(|| {
                         mesh.vertices_m.push(key.1.map(|b| f64::from(f32::from_bits(b))));

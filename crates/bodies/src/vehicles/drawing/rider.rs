@@ -2,7 +2,7 @@
 
 use crate::vehicles::drawing::mesh_builder::Assembly;
 use crate::vehicles::drawing::solids::{ellipsoid, limb, rounded_box, section, smoothed};
-use crate::vehicles::drawing::stencil::{Inside, cut, soft_minimum};
+use crate::vehicles::drawing::stencil::{CutTreatment, cut, soft_minimum};
 use crate::vehicles::drawing::surface::Material;
 use glam::DVec3;
 
@@ -62,7 +62,7 @@ impl Rider {
         // The chin reaches forward and down.
         let chin = |p: DVec3| if p.z < 0.0 && p.x > 0.0 { p * DVec3::new(1.06, 0.95, 1.05) } else { p };
         let eyes = |p: DVec3| soft_minimum(&[p.z + 0.045, 0.055 - p.z, p.x - 0.015], 0.03);
-        let visor = Inside::Inset { material: Material::Glass, rim: Material::Plastic, depth_m: 0.004 };
+        let visor = CutTreatment::Inset { material: Material::Glass, rim: Material::Plastic, depth_m: 0.004 };
         to.add(cut(shell.map(chin), eyes, visor).moved(x, 0.0, z));
     }
 

@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// Change of the skin within an outline.
 #[derive(Debug, Clone, Copy)]
-pub(crate) enum Inside {
+pub(crate) enum CutTreatment {
     /// The skin becomes another material in place.
     Recoloured(Material),
     /// The skin becomes another material, lowered along its normal by `depth_m` with a wall of `rim`
@@ -29,16 +29,16 @@ pub(crate) enum Inside {
 const SHORTEST_EDGE_M: f64 = 0.0025;
 
 /// Cuts `skin` along the zero line of `outline`.
-pub(crate) fn cut(skin: Surface, outline: impl Fn(DVec3) -> f64, inside: Inside) -> Surface {
+pub(crate) fn cut(skin: Surface, outline: impl Fn(DVec3) -> f64, inside: CutTreatment) -> Surface {
     let split = Split::along(skin, &outline);
     let result = match inside {
-        Inside::Recoloured(material) => split.recoloured(material),
-        Inside::Inset { material, rim, depth_m } => {
+        CutTreatment::Recoloured(material) => split.recoloured(material),
+        CutTreatment::Inset { material, rim, depth_m } => {
             let normals = split.whole().point_normals();
             split.moved(material, rim, |i| -depth_m * normals[i])
         }
-        Inside::Sunk { material, rim, depth_m } => split.moved(material, rim, |_| -depth_m * DVec3::Z),
-        Inside::Opened { flange_m } => split.opened(flange_m),
+        CutTreatment::Sunk { material, rim, depth_m } => split.moved(material, rim, |_| -depth_m * DVec3::Z),
+        CutTreatment::Opened { flange_m } => split.opened(flange_m),
     };
     result.without_short_edges(SHORTEST_EDGE_M)
 }

@@ -2,7 +2,7 @@
 
 use crate::vehicles::drawing::mesh_builder::Assembly;
 use crate::vehicles::drawing::solids::{disc, ellipsoid, lathe};
-use crate::vehicles::drawing::stencil::{Inside, cut, soft_minimum};
+use crate::vehicles::drawing::stencil::{CutTreatment, cut, soft_minimum};
 use crate::vehicles::drawing::surface::{Material, Surface};
 use glam::DVec3;
 use std::f64::consts::TAU;
@@ -102,7 +102,7 @@ impl Wheel {
             soft_minimum(&[across, radius - 0.28 * r, 0.84 * r - radius, p.y], 0.02)
         };
         let depth_m = 0.45 * half;
-        cut(rim, gaps, Inside::Inset { material: Material::Steel, rim: Material::Aluminium, depth_m })
+        cut(rim, gaps, CutTreatment::Inset { material: Material::Steel, rim: Material::Aluminium, depth_m })
     }
 
     /// Steel disc of a wheel; `bulge` is the position of its middle, as a share of the half width.
@@ -128,7 +128,11 @@ impl Wheel {
             let from_middle = (p.x.hypot(p.z) - 0.67 * r).hypot(along);
             (0.09 * r - from_middle).min(p.y - foot + 0.1)
         };
-        cut(rim, holes, Inside::Inset { material: Material::Plastic, rim: Material::Steel, depth_m: 0.03 })
+        cut(
+            rim,
+            holes,
+            CutTreatment::Inset { material: Material::Plastic, rim: Material::Steel, depth_m: 0.03 },
+        )
     }
 }
 
@@ -138,9 +142,9 @@ fn mirrored_profile(outer: &[(f64, f64)]) -> Vec<(f64, f64)> {
     outer.iter().copied().chain(inner).chain([outer[0]]).collect()
 }
 
-/// Geometry of an arch's lining.
+/// Geometry of a wheel-arch liner.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Lining {
+pub(crate) struct ArchLiner {
     pub(crate) axle: [f64; 2],
     pub(crate) radius_m: f64,
     /// Height of its lower ends, level with the underside.
@@ -150,10 +154,10 @@ pub(crate) struct Lining {
     pub(crate) outer_y: f64,
 }
 
-/// The lining of the arch on the left: a half drum of sheet, open towards the wheel.
-pub(crate) fn arch_lining(lining: &Lining) -> Surface {
+/// The liner of the wheel arch on the left: a half drum of sheet, open towards the wheel.
+pub(crate) fn arch_liner(liner: &ArchLiner) -> Surface {
     let (steps, sheet) = (12, 0.012);
-    let Lining { axle, radius_m, low_z, inner_y, outer_y } = *lining;
+    let ArchLiner { axle, radius_m, low_z, inner_y, outer_y } = *liner;
     let dip = ((axle[1] - low_z) / radius_m).clamp(-0.9, 0.9).asin();
     let row = |k: usize| {
         let angle = -dip + (std::f64::consts::PI + 2.0 * dip) * k as f64 / steps as f64;

@@ -2,11 +2,11 @@
 
 use crate::vehicles::drawing::curve::{Curve, smooth_step};
 use crate::vehicles::drawing::shell::{Shell, spaced};
-use crate::vehicles::family::Drawn;
+use crate::vehicles::family::Parameters;
 
 /// The space of a body, in a drawing with x = 0 half way along the vehicle and z = 0 on the ground.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Room {
+pub(crate) struct Envelope {
     /// Front and rear end.
     pub(crate) ends_x: [f64; 2],
     /// Top of the roof.
@@ -17,14 +17,14 @@ pub(crate) struct Room {
     pub(crate) outer_y: f64,
 }
 
-impl Room {
+impl Envelope {
     /// Space of the whole size except parts on the roof, behind the tail and beside the doors.
-    pub(crate) fn whole(drawn: &Drawn<'_>, size_m: [f64; 3]) -> Self {
-        let [ahead, behind] = ["ahead_m", "behind_m"].map(|key| drawn.number_or(key, 0.0));
+    pub(crate) fn of_size(parameters: &Parameters<'_>, size_m: [f64; 3]) -> Self {
+        let [ahead, behind] = ["ahead_m", "behind_m"].map(|key| parameters.number_or(key, 0.0));
         Self {
             ends_x: [0.5 * size_m[0] - ahead, -0.5 * size_m[0] + behind],
-            roof_z: size_m[2] - drawn.number_or("on_roof_m", 0.0),
-            half_width_m: 0.5 * size_m[1] - drawn.number("mirror_m"),
+            roof_z: size_m[2] - parameters.number_or("on_roof_m", 0.0),
+            half_width_m: 0.5 * size_m[1] - parameters.number("mirror_m"),
             outer_y: 0.5 * size_m[1],
         }
     }
@@ -53,7 +53,7 @@ pub(crate) struct Face {
 /// A body's proportions; points of the silhouette are (x, z) in metres.
 #[derive(Debug, Clone)]
 pub(crate) struct Form {
-    pub(crate) room: Room,
+    pub(crate) envelope: Envelope,
     pub(crate) half_width_m: f64,
     pub(crate) axles_x: Vec<f64>,
     pub(crate) wheel_radius_m: f64,
@@ -75,8 +75,8 @@ pub(crate) struct Form {
     pub(crate) rear: Face,
 }
 
-fn face(drawn: &Drawn<'_>, end: &str) -> Face {
-    let number = |what: &str| drawn.number(&format!("{end}_{what}"));
+fn face(parameters: &Parameters<'_>, end: &str) -> Face {
+    let number = |what: &str| parameters.number(&format!("{end}_{what}"));
     Face {
         lean: number("rake_deg").to_radians().tan(),
         curve_per_m: number("curve_per_m"),
@@ -85,33 +85,35 @@ fn face(drawn: &Drawn<'_>, end: &str) -> Face {
         bumper_m: number("bumper_m"),
         taper_m: number("taper_m"),
         radius_m: number("radius_m"),
-        upright: drawn.has(&format!("{end}_upright")),
+        upright: parameters.has(&format!("{end}_upright")),
     }
 }
 
 impl Form {
     /// Form drawn into the given space.
-    pub(crate) fn of(drawn: &Drawn<'_>, room: &Room) -> Self {
-        let [front_x, rear_x] = room.ends_x;
-        let (length, roof) = (front_x - rear_x, room.roof_z);
+    pub(crate) fn of(parameters: &Parameters<'_>, envelope: &Envelope) -> Self {
+        let [front_x, rear_x] = envelope.ends_x;
+        let (length, roof) = (front_x - rear_x, envelope.roof_z);
         let point = |key: &str| {
-            let [along, up] = drawn.numbers(key);
+            let [along, up] = parameters.numbers(key);
             (front_x - along * length, up * roof)
         };
-        let share = |key: &str| drawn.number(key) * roof;
-        let waist = drawn.numbers::<2>("waist").map(|up| up * roof);
-        let lean_in = drawn.number("tumblehome_deg").to_radians().tan();
-        let axles_x =
-            drawn.rows::<1>("axles").into_iter().map(|[x]| if x > 0.0 { front_x - x } else { rear_x - x });
+        let share = |key: &str| parameters.number(key) * roof;
+        let waist = parameters.numbers::<2>("waist").map(|up| up * roof);
+        let lean_in = parameters.number("tumblehome_deg").to_radians().tan();
+        let axles_x = parameters
+            .rows::<1>("axles")
+            .into_iter()
+            .map(|[x]| if x > 0.0 { front_x - x } else { rear_x - x });
         Self {
-            room: *room,
-            half_width_m: room.half_width_m,
+            envelope: *envelope,
+            half_width_m: envelope.half_width_m,
             axles_x: axles_x.collect(),
-            wheel_radius_m: drawn.number("wheel_radius_m"),
-            tyre_width_m: drawn.number("tyre_width_m"),
-            twin: drawn.has("twin"),
-            clearance_m: drawn.number("clearance_m"),
-            bumper_z: drawn.number("clearance_m") + drawn.number("bumper_height_m"),
+            wheel_radius_m: parameters.number("wheel_radius_m"),
+            tyre_width_m: parameters.number("tyre_width_m"),
+            twin: parameters.has("twin"),
+            clearance_m: parameters.number("clearance_m"),
+            bumper_z: parameters.number("clearance_m") + parameters.number("bumper_height_m"),
             nose_z: share("nose"),
             cowl: point("cowl"),
             header: point("header"),
@@ -119,11 +121,11 @@ impl Form {
             deck: point("deck"),
             tail_z: share("tail"),
             waist,
-            roof_y: room.half_width_m - 0.02 - lean_in * (roof - 0.5 * (waist[0] + waist[1])),
-            rail_drop_m: drawn.number("crown_m"),
-            belly_m: drawn.number("belly_m"),
-            front: face(drawn, "front"),
-            rear: face(drawn, "rear"),
+            roof_y: envelope.half_width_m - 0.02 - lean_in * (roof - 0.5 * (waist[0] + waist[1])),
+            rail_drop_m: parameters.number("crown_m"),
+            belly_m: parameters.number("belly_m"),
+            front: face(parameters, "front"),
+            rear: face(parameters, "rear"),
         }
     }
 
@@ -146,8 +148,8 @@ impl Form {
     }
 
     fn top_front(&self) -> Vec<(f64, f64)> {
-        let [front, _] = self.room.ends_x;
-        let roof = self.room.roof_z;
+        let [front, _] = self.envelope.ends_x;
+        let roof = self.envelope.roof_z;
         if self.front.upright {
             return vec![
                 (front, self.nose_z),
@@ -172,8 +174,8 @@ impl Form {
     }
 
     fn top_rear(&self) -> Vec<(f64, f64)> {
-        let [_, rear] = self.room.ends_x;
-        let roof = self.room.roof_z;
+        let [_, rear] = self.envelope.ends_x;
+        let roof = self.envelope.roof_z;
         if self.rear.upright {
             return vec![
                 (rear + 0.7, roof - 0.005),
@@ -205,7 +207,7 @@ impl Form {
 
     /// The lines, sampled wherever the silhouette may bend.
     pub(crate) fn shell(&self) -> Shell {
-        let [front, rear] = self.room.ends_x;
+        let [front, rear] = self.envelope.ends_x;
         let half = self.half_width_m;
         let top_z = self.top_z();
         let over_x = |y: &dyn Fn(f64) -> f64| {
@@ -239,7 +241,7 @@ impl Form {
             roof_exponent: 2.7,
             sill_radius_m: 0.06,
             end_radius_m: [self.front.radius_m, self.rear.radius_m],
-            ends_x: self.room.ends_x,
+            ends_x: self.envelope.ends_x,
         }
     }
 }

@@ -5,29 +5,29 @@ use crate::vehicles::drawing::openings::{
     End, Flank, end_panel, flank_panel, inset, pane, panel, wheel_arch,
 };
 use crate::vehicles::drawing::shell::{Layout, Shell, even, spaced};
-use crate::vehicles::drawing::stencil::{Inside, cut, rounded_rectangle, soft_minimum};
+use crate::vehicles::drawing::stencil::{CutTreatment, cut, rounded_rectangle, soft_minimum};
 use crate::vehicles::drawing::surface::{Material, Surface};
-use crate::vehicles::family::Drawn;
+use crate::vehicles::family::Parameters;
 use crate::vehicles::loft::face;
 use crate::vehicles::loft::form::{Face, Form};
 use glam::DVec3;
 
 /// The whole skin.
-pub(crate) fn cut_skin(drawn: &Drawn<'_>, form: &Form) -> Surface {
+pub(crate) fn cut_skin(parameters: &Parameters<'_>, form: &Form) -> Surface {
     let shell = form.shell();
-    let skin = shell.skin(&layout(drawn, form, &shell)).map(|p| bent(form, p));
-    let skin = cladding(drawn, form, skin);
+    let skin = shell.skin(&layout(parameters, form, &shell)).map(|p| bent(form, p));
+    let skin = cladding(parameters, form, skin);
     let skin = form.axles_x.iter().fold(skin, |skin, axle_x| {
         wheel_arch(skin, [*axle_x, form.wheel_radius_m], form.arch_radius_m(), form.arch_inner_y())
     });
-    let skin = flaps(drawn, form, doors(drawn, form, side_panes(drawn, form, &shell, skin)));
-    let skin = screens(drawn, form, &shell, skin);
-    face::cut_rear(drawn, form, face::cut_front(drawn, form, bed(drawn, form, skin)))
+    let skin = flaps(parameters, form, doors(parameters, form, side_panes(parameters, form, &shell, skin)));
+    let skin = screens(parameters, form, &shell, skin);
+    face::cut_rear(parameters, form, face::cut_front(parameters, form, bed(parameters, form, skin)))
 }
 
 /// Bows the ends in plan and shapes them in profile: the bumper projects, the panel above it leans back.
 fn bent(form: &Form, p: DVec3) -> DVec3 {
-    let [front, rear] = form.room.ends_x;
+    let [front, rear] = form.envelope.ends_x;
     let across = (p.y / form.half_width_m).powi(2);
     let reach = |face: &Face| if face.upright { 1.1 } else { 0.75 };
     let back = |face: &Face| {
@@ -45,9 +45,9 @@ fn bent(form: &Form, p: DVec3) -> DVec3 {
 
 /// Sections, close together where the silhouette bends, around the arches and at both ends, far apart
 /// between; one at every pane's edge.
-fn layout(drawn: &Drawn<'_>, form: &Form, shell: &Shell) -> Layout {
-    let [front, rear] = form.room.ends_x;
-    let (fine, coarse) = (drawn.number("step_m"), drawn.number("coarse_step_m"));
+fn layout(parameters: &Parameters<'_>, form: &Form, shell: &Shell) -> Layout {
+    let [front, rear] = form.envelope.ends_x;
+    let (fine, coarse) = (parameters.number("step_m"), parameters.number("coarse_step_m"));
     let reach = form.arch_radius_m() + 0.05;
     let step_at = |x: f64| {
         let bends = (shell.top_z.slope(x + 0.1) - shell.top_z.slope(x - 0.1)).abs() > 0.02;
@@ -65,16 +65,16 @@ fn layout(drawn: &Drawn<'_>, form: &Form, shell: &Shell) -> Layout {
         }
     }
     let corners = |[behind, ahead]: [f64; 2]| [behind, behind + CORNER_M, ahead - CORNER_M, ahead];
-    let edges_x: Vec<f64> = match drawn.knows("pane_pitch_m") {
-        true => pane_spans(drawn, form).into_iter().flat_map(corners).collect(),
-        false => pane_spans(drawn, form).into_iter().flatten().collect(),
+    let edges_x: Vec<f64> = match parameters.has_key("pane_pitch_m") {
+        true => pane_spans(parameters, form).into_iter().flat_map(corners).collect(),
+        false => pane_spans(parameters, form).into_iter().flatten().collect(),
     };
     stations_x.retain(|x| edges_x.iter().all(|edge| (x - edge).abs() > 0.3 * fine));
     stations_x.extend(edges_x);
     Layout {
         stations_x,
         lower: even(rows(form.waist[0] - form.clearance_m)),
-        upper: upper_rows(drawn, form),
+        upper: upper_rows(parameters, form),
         half_columns: 5,
     }
 }
@@ -88,36 +88,41 @@ fn rows(height_m: f64) -> usize {
 }
 
 /// Rows at the lower and upper edge of the panes; an open body has none.
-fn upper_rows(drawn: &Drawn<'_>, form: &Form) -> Vec<f64> {
-    if pane_spans(drawn, form).is_empty() {
+fn upper_rows(parameters: &Parameters<'_>, form: &Form) -> Vec<f64> {
+    if pane_spans(parameters, form).is_empty() {
         return even(2);
     }
-    let height = form.room.roof_z - form.rail_drop_m - 0.5 * (form.waist[0] + form.waist[1]);
-    let (low, high) = (0.03 / height, 1.0 - drawn.number("pane_top_m") / height);
+    let height = form.envelope.roof_z - form.rail_drop_m - 0.5 * (form.waist[0] + form.waist[1]);
+    let (low, high) = (0.03 / height, 1.0 - parameters.number("pane_top_m") / height);
     let corner = CORNER_M / height;
     let inner = spaced(low + corner, high - corner, 0.4);
     [0.0, low].into_iter().chain(inner).chain([high, 1.0]).collect()
 }
 
 /// Ends of the side panes along x: those given as shares of the length, or as many as fit.
-pub(crate) fn pane_spans(drawn: &Drawn<'_>, form: &Form) -> Vec<[f64; 2]> {
-    let [front, rear] = form.room.ends_x;
+pub(crate) fn pane_spans(parameters: &Parameters<'_>, form: &Form) -> Vec<[f64; 2]> {
+    let [front, rear] = form.envelope.ends_x;
     let at = |share: f64| front - share * (front - rear);
-    if !drawn.knows("pane_pitch_m") {
-        return drawn.rows::<2>("panes").into_iter().map(|[ahead, behind]| [at(behind), at(ahead)]).collect();
+    if !parameters.has_key("pane_pitch_m") {
+        return parameters
+            .rows::<2>("panes")
+            .into_iter()
+            .map(|[ahead, behind]| [at(behind), at(ahead)])
+            .collect();
     }
-    let [first, last] = drawn.numbers::<2>("pane_row").map(at);
-    let count = ((first - last) / drawn.number("pane_pitch_m")).round().max(1.0);
+    let [first, last] = parameters.numbers::<2>("pane_row").map(at);
+    let count = ((first - last) / parameters.number("pane_pitch_m")).round().max(1.0);
     let pitch = (first - last) / count;
-    let span =
-        |k: u32| [first - f64::from(k + 1) * pitch + drawn.number("pillar_m"), first - f64::from(k) * pitch];
+    let span = |k: u32| {
+        [first - f64::from(k + 1) * pitch + parameters.number("pillar_m"), first - f64::from(k) * pitch]
+    };
     (0..count as u32).map(span).collect()
 }
 
-fn side_panes(drawn: &Drawn<'_>, form: &Form, shell: &Shell, skin: Surface) -> Surface {
-    let (top, corner) = (drawn.number("pane_top_m"), drawn.number("pane_corner_m"));
-    let (doors, pane) = (door_spans(drawn, form), pane(drawn.number("pane_depth_m")));
-    pane_spans(drawn, form).into_iter().fold(skin, |skin, [behind, ahead]| {
+fn side_panes(parameters: &Parameters<'_>, form: &Form, shell: &Shell, skin: Surface) -> Surface {
+    let (top, corner) = (parameters.number("pane_top_m"), parameters.number("pane_corner_m"));
+    let (doors, pane) = (door_spans(parameters, form), pane(parameters.number("pane_depth_m")));
+    pane_spans(parameters, form).into_iter().fold(skin, |skin, [behind, ahead]| {
         let blocked = doors.iter().any(|door| behind < door[1] + 0.03 && ahead > door[0] - 0.03);
         let outline = |p: DVec3| {
             let rail = (shell.rail_z.at(p.x) - p.z) / (1.0 + shell.rail_z.slope(p.x).powi(2)).sqrt();
@@ -131,26 +136,26 @@ fn side_panes(drawn: &Drawn<'_>, form: &Form, shell: &Shell, skin: Surface) -> S
 }
 
 /// Cuts hatches below the panes, where there is neither an arch nor a door.
-fn flaps(drawn: &Drawn<'_>, form: &Form, skin: Surface) -> Surface {
-    if !drawn.has("flaps") {
+fn flaps(parameters: &Parameters<'_>, form: &Form, skin: Surface) -> Surface {
+    if !parameters.has("flaps") {
         return skin;
     }
     let height = [form.clearance_m + 0.22, form.waist[0] - 0.14];
-    let inside = inset(Material::Paint, Material::Paint, drawn.number("flap_depth_m"));
+    let inside = inset(Material::Paint, Material::Paint, parameters.number("flap_depth_m"));
     let taken = |[behind, ahead]: [f64; 2]| {
         let arch = form.arch_radius_m() + 0.08;
         let near = |[low, high]: [f64; 2]| behind < high && ahead > low;
         let arches = form.axles_x.iter().map(|x| [x - arch, x + arch]);
-        arches.chain(door_spans(drawn, form).into_iter().map(|[a, b]| [a - 0.05, b + 0.05])).any(near)
+        arches.chain(door_spans(parameters, form).into_iter().map(|[a, b]| [a - 0.05, b + 0.05])).any(near)
     };
-    let spans = pane_spans(drawn, form).into_iter().filter(|span| !taken(*span));
+    let spans = pane_spans(parameters, form).into_iter().filter(|span| !taken(*span));
     spans.fold(skin, |skin, span| flank_panel(skin, Flank::Both, panel(span, height, 0.02), inside))
 }
 
 /// Doors on the right, [rear, front] along x.
-fn door_spans(drawn: &Drawn<'_>, form: &Form) -> Vec<[f64; 2]> {
-    let [front, rear] = form.room.ends_x;
-    drawn
+fn door_spans(parameters: &Parameters<'_>, form: &Form) -> Vec<[f64; 2]> {
+    let [front, rear] = form.envelope.ends_x;
+    parameters
         .rows::<2>("doors")
         .into_iter()
         .map(|[a, b]| [a, b].map(|share| front - share * (front - rear)))
@@ -159,12 +164,12 @@ fn door_spans(drawn: &Drawn<'_>, form: &Form) -> Vec<[f64; 2]> {
 }
 
 /// Glazed doors of two leaves.
-fn doors(drawn: &Drawn<'_>, form: &Form, skin: Surface) -> Surface {
-    let high = form.room.roof_z - form.rail_drop_m - drawn.number("pane_top_m");
+fn doors(parameters: &Parameters<'_>, form: &Form, skin: Surface) -> Surface {
+    let high = form.envelope.roof_z - form.rail_drop_m - parameters.number("pane_top_m");
     let height = [form.clearance_m + 0.2, high];
-    door_spans(drawn, form).into_iter().fold(skin, |skin, [behind, ahead]| {
+    door_spans(parameters, form).into_iter().fold(skin, |skin, [behind, ahead]| {
         let middle = 0.5 * (behind + ahead);
-        let glazed = pane(drawn.number("pane_depth_m"));
+        let glazed = pane(parameters.number("pane_depth_m"));
         let leaf = |skin, along| flank_panel(skin, Flank::Right, panel(along, height, 0.03), glazed);
         leaf(leaf(skin, [behind, middle - 0.035]), [middle + 0.035, ahead])
     })
@@ -172,24 +177,24 @@ fn doors(drawn: &Drawn<'_>, form: &Form, skin: Surface) -> Surface {
 
 /// Windscreen and rear window: on the roof's side of the rail if the end is raked, in the face if it is
 /// upright.
-fn screens(drawn: &Drawn<'_>, form: &Form, shell: &Shell, skin: Surface) -> Surface {
-    let [front, rear] = form.room.ends_x;
-    let screen = pane(drawn.number("screen_depth_m"));
+fn screens(parameters: &Parameters<'_>, form: &Form, shell: &Shell, skin: Surface) -> Surface {
+    let [front, rear] = form.envelope.ends_x;
+    let screen = pane(parameters.number("screen_depth_m"));
     let raked = |p: DVec3, [low, high]: [f64; 2]| {
         let pillar = shell.rail_y.at(p.x) - 0.05 - p.y.abs();
         soft_minimum(&[pillar, p.z - low, high - p.z], 0.08).min(p.z - shell.waist_z.at(p.x))
     };
     let upright = |key: &str| {
-        let [half, low, high] = drawn.numbers::<3>(key);
+        let [half, low, high] = parameters.numbers::<3>(key);
         let half = half * form.half_width_m;
-        panel([-half, half], [low * form.room.roof_z, high * form.room.roof_z], 0.1)
+        panel([-half, half], [low * form.envelope.roof_z, high * form.envelope.roof_z], 0.1)
     };
     let skin = if form.front.upright {
         end_panel(skin, End::Front { beyond_x: front - 1.0 }, upright("windscreen"), screen)
     } else {
         cut(skin, |p| raked(p, [form.cowl.1, form.header.1 - 0.03]).min(p.x - form.header.0 + 0.1), screen)
     };
-    if drawn.has("no_rear_window") {
+    if parameters.has("no_rear_window") {
         return skin;
     }
     if form.rear.upright {
@@ -203,30 +208,30 @@ fn screens(drawn: &Drawn<'_>, form: &Form, shell: &Shell, skin: Surface) -> Surf
 }
 
 /// Cuts openings at the top: the bed of a pick-up, the seats of a roadster.
-fn bed(drawn: &Drawn<'_>, form: &Form, skin: Surface) -> Surface {
-    if !drawn.knows("bed") {
+fn bed(parameters: &Parameters<'_>, form: &Form, skin: Surface) -> Surface {
+    if !parameters.has_key("bed") {
         return skin;
     }
-    let [front, rear] = form.room.ends_x;
-    let [from, to, half, depth_m] = drawn.numbers("bed");
+    let [front, rear] = form.envelope.ends_x;
+    let [from, to, half, depth_m] = parameters.numbers("bed");
     let [ahead, behind] = [from, to].map(|share| front - share * (front - rear));
     let half = half * form.half_width_m;
-    let floor = form.room.roof_z * drawn.number("bed_above");
+    let floor = form.envelope.roof_z * parameters.number("bed_above");
     let outline =
         |p: DVec3| rounded_rectangle(p.x, p.y, [behind, ahead], [-half, half], 0.1).min(p.z - floor);
-    let material = if drawn.has("leather") { Material::Leather } else { Material::Paint };
-    cut(skin, outline, Inside::Sunk { material, rim: Material::Paint, depth_m })
+    let material = if parameters.has("leather") { Material::Leather } else { Material::Paint };
+    cut(skin, outline, CutTreatment::Sunk { material, rim: Material::Paint, depth_m })
 }
 
 /// Unpainted sills and bumpers.
-fn cladding(drawn: &Drawn<'_>, form: &Form, skin: Surface) -> Surface {
-    let [front, rear] = form.room.ends_x;
-    let sill_z = form.clearance_m + drawn.number("sill_m");
-    let bumper_z = if drawn.word("bumper") == "plastic" { form.bumper_z + 0.1 } else { sill_z };
+fn cladding(parameters: &Parameters<'_>, form: &Form, skin: Surface) -> Surface {
+    let [front, rear] = form.envelope.ends_x;
+    let sill_z = form.clearance_m + parameters.number("sill_m");
+    let bumper_z = if parameters.word("bumper") == "plastic" { form.bumper_z + 0.1 } else { sill_z };
     let outline = |p: DVec3| {
         let near_end =
             smooth_step(front - 0.6, front - 0.4, p.x).max(smooth_step(rear + 0.6, rear + 0.4, p.x));
         sill_z + (bumper_z - sill_z) * near_end - p.z
     };
-    cut(skin, outline, Inside::Recoloured(Material::Plastic))
+    cut(skin, outline, CutTreatment::Recoloured(Material::Plastic))
 }

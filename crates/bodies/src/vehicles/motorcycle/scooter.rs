@@ -1,17 +1,17 @@
 //! A scooter: leg shield, flat floor, the engine under the seat.
 
-use crate::vehicles::dimensions::Draw;
+use crate::vehicles::dimensions::ParameterSampler;
 use crate::vehicles::drawing::mesh_builder::Assembly;
 use crate::vehicles::drawing::rider::Rider;
 use crate::vehicles::drawing::solids::{ellipsoid, limb, rounded_box, section, sharp_box, smoothed, tube};
 use crate::vehicles::drawing::surface::Material;
-use crate::vehicles::motorcycle::machine::Machine;
+use crate::vehicles::motorcycle::nominal::NominalMotorcycle;
 use crate::vehicles::motorcycle::parts::{CycleWheel, forks, handlebar, mirror, mudguard, tail};
 
 const HALF_WHEELBASE_M: f64 = 0.665;
 
-pub(crate) fn machine(draw: &Draw) -> Machine {
-    let radius_m = draw.value("wheel radius", 0.265, 0.25..=0.30);
+pub(crate) fn nominal(sampler: &ParameterSampler) -> NominalMotorcycle {
+    let radius_m = sampler.value("wheel radius", 0.265, 0.25..=0.30);
     let wheel = |axle_x: f64, tyre_width_m: f64, brake_radius_m: f64| CycleWheel {
         axle_x,
         radius_m,
@@ -25,13 +25,17 @@ pub(crate) fn machine(draw: &Draw) -> Machine {
     floor(&mut parts);
     rear_body(&mut parts);
     engine(radius_m, &mut parts);
-    rider(draw).add(&mut parts);
-    Machine { parts, front: wheel(HALF_WHEELBASE_M, 0.11, 0.11), rear: wheel(-HALF_WHEELBASE_M, 0.13, 0.09) }
+    rider(sampler).add(&mut parts);
+    NominalMotorcycle {
+        parts,
+        front: wheel(HALF_WHEELBASE_M, 0.11, 0.11),
+        rear: wheel(-HALF_WHEELBASE_M, 0.13, 0.09),
+    }
 }
 
 /// Rider in an upright position, feet together on the floor.
-fn rider(draw: &Draw) -> Rider {
-    let lean = draw.value("rider lean", 0.0, -0.03..=0.05);
+fn rider(sampler: &ParameterSampler) -> Rider {
+    let lean = sampler.value("rider lean", 0.0, -0.03..=0.05);
     Rider {
         hip_m: [-0.30, 0.87],
         shoulder_m: [-0.20 + lean, 1.36],

@@ -1,18 +1,18 @@
 //! A street motorcycle without fairing.
 
-use crate::vehicles::dimensions::Draw;
+use crate::vehicles::dimensions::ParameterSampler;
 use crate::vehicles::drawing::mesh_builder::Assembly;
 use crate::vehicles::drawing::rider::Rider;
 use crate::vehicles::drawing::solids::{
     bent, disc, ellipsoid, limb, pitched, rounded_box, section, sharp_box, smoothed, tube,
 };
 use crate::vehicles::drawing::surface::Material;
-use crate::vehicles::motorcycle::machine::Machine;
+use crate::vehicles::motorcycle::nominal::NominalMotorcycle;
 use crate::vehicles::motorcycle::parts::{CycleWheel, foot_rest, forks, handlebar, mirror, mudguard, tail};
 use glam::DVec3;
 
-pub(crate) fn machine(draw: &Draw) -> Machine {
-    let radius_m = draw.value("wheel radius", 0.305, 0.295..=0.315);
+pub(crate) fn nominal(sampler: &ParameterSampler) -> NominalMotorcycle {
+    let radius_m = sampler.value("wheel radius", 0.305, 0.295..=0.315);
     let half_wheelbase = 0.715;
     let wheel = |axle_x: f64, tyre_width_m: f64, brake_radius_m: f64| CycleWheel {
         axle_x,
@@ -28,13 +28,17 @@ pub(crate) fn machine(draw: &Draw) -> Machine {
     frame(half_wheelbase, radius_m, &mut parts);
     engine(&mut parts);
     exhaust(&mut parts);
-    rider(draw).add(&mut parts);
-    Machine { parts, front: wheel(half_wheelbase, 0.12, 0.15), rear: wheel(-half_wheelbase, 0.17, 0.11) }
+    rider(sampler).add(&mut parts);
+    NominalMotorcycle {
+        parts,
+        front: wheel(half_wheelbase, 0.12, 0.15),
+        rear: wheel(-half_wheelbase, 0.17, 0.11),
+    }
 }
 
 /// Rider who leans forward slightly, more on sportier machines.
-fn rider(draw: &Draw) -> Rider {
-    let lean = draw.value("rider lean", 0.0, -0.05..=0.08);
+fn rider(sampler: &ParameterSampler) -> Rider {
+    let lean = sampler.value("rider lean", 0.0, -0.05..=0.08);
     Rider {
         hip_m: [-0.24, 0.88],
         shoulder_m: [0.01 + lean, 1.32 - 0.3 * lean],

@@ -1,21 +1,21 @@
 //! A tourer: fairing, screen, cases.
 
-use crate::vehicles::dimensions::Draw;
+use crate::vehicles::dimensions::ParameterSampler;
 use crate::vehicles::drawing::mesh_builder::Assembly;
 use crate::vehicles::drawing::rider::Rider;
 use crate::vehicles::drawing::solids::{
     ellipsoid, limb, pitched, rounded_box, section, sharp_box, smoothed, tube,
 };
-use crate::vehicles::drawing::stencil::{Inside, cut, rounded_rectangle};
+use crate::vehicles::drawing::stencil::{CutTreatment, cut, rounded_rectangle};
 use crate::vehicles::drawing::surface::Material;
-use crate::vehicles::motorcycle::machine::Machine;
+use crate::vehicles::motorcycle::nominal::NominalMotorcycle;
 use crate::vehicles::motorcycle::parts::{CycleWheel, foot_rest, forks, handlebar, mudguard, tail};
 use glam::DVec3;
 
 const HALF_WHEELBASE_M: f64 = 0.77;
 
-pub(crate) fn machine(draw: &Draw) -> Machine {
-    let radius_m = draw.value("wheel radius", 0.315, 0.305..=0.325);
+pub(crate) fn nominal(sampler: &ParameterSampler) -> NominalMotorcycle {
+    let radius_m = sampler.value("wheel radius", 0.315, 0.305..=0.325);
     let wheel = |axle_x: f64, tyre_width_m: f64, brake_radius_m: f64| CycleWheel {
         axle_x,
         radius_m,
@@ -30,13 +30,17 @@ pub(crate) fn machine(draw: &Draw) -> Machine {
     body(&mut parts);
     cases(&mut parts);
     engine(radius_m, &mut parts);
-    rider(draw).add(&mut parts);
-    Machine { parts, front: wheel(HALF_WHEELBASE_M, 0.13, 0.155), rear: wheel(-HALF_WHEELBASE_M, 0.18, 0.14) }
+    rider(sampler).add(&mut parts);
+    NominalMotorcycle {
+        parts,
+        front: wheel(HALF_WHEELBASE_M, 0.13, 0.155),
+        rear: wheel(-HALF_WHEELBASE_M, 0.18, 0.14),
+    }
 }
 
 /// Rider in an upright position, arms wide and relaxed.
-fn rider(draw: &Draw) -> Rider {
-    let lean = draw.value("rider lean", 0.0, -0.04..=0.05);
+fn rider(sampler: &ParameterSampler) -> Rider {
+    let lean = sampler.value("rider lean", 0.0, -0.04..=0.05);
     Rider {
         hip_m: [-0.28, 0.91],
         shoulder_m: [-0.14 + lean, 1.41],
@@ -57,7 +61,7 @@ fn fairing(parts: &mut Assembly) {
         section([0.32, 0.0, 0.90], 0.33, 0.17),
     ];
     let band = |p: DVec3| rounded_rectangle(p.y, p.z, [-0.19, 0.19], [0.83, 0.925], 0.04).min(p.x - 0.6);
-    let lens = Inside::Inset { material: Material::Lamp, rim: Material::Plastic, depth_m: 0.008 };
+    let lens = CutTreatment::Inset { material: Material::Lamp, rim: Material::Plastic, depth_m: 0.008 };
     parts.add(cut(limb(&smoothed(&upper, 1), 28, Material::Paint), band, lens));
     let lower = [
         section([0.58, 0.24, 0.74], 0.05, 0.10),

@@ -7,15 +7,15 @@ use crate::vehicles::drawing::openings::{
 };
 use crate::vehicles::drawing::shell::{Layout, Shell, even, spaced};
 use crate::vehicles::drawing::solids::{bent, rounded_box, sharp_box, tube};
-use crate::vehicles::drawing::stencil::{Inside, cut};
+use crate::vehicles::drawing::stencil::{CutTreatment, cut};
 use crate::vehicles::drawing::surface::{Material, Surface};
-use crate::vehicles::drawing::wheel::{Lining, arch_lining};
+use crate::vehicles::drawing::wheel::{ArchLiner, arch_liner};
 use crate::vehicles::truck::form::{Form, Kind};
 use glam::DVec3;
 
 pub(crate) fn add(form: &Form, truck: &mut Assembly) {
     truck.add(skin(form));
-    truck.add_pair(arch_lining(&Lining {
+    truck.add_pair(arch_liner(&ArchLiner {
         axle: [form.front_axle_x, form.wheel_radius_m],
         radius_m: arch_radius_m(form) + 0.008,
         low_z: BOTTOM_Z + 0.02,
@@ -46,16 +46,16 @@ fn panes_z(form: &Form) -> [f64; 2] {
 fn skin(form: &Form) -> Surface {
     let [front, rear] = [form.ends_x[0], form.cab_rear_x()];
     let skin = shell(form).skin(&layout(form)).map(|p| leaning(form, p));
-    let skin = cut(skin, |p| 0.62 - p.z, Inside::Recoloured(Material::Plastic));
+    let skin = cut(skin, |p| 0.62 - p.z, CutTreatment::Recoloured(Material::Plastic));
     let skin = wheel_arch(skin, [form.front_axle_x, form.wheel_radius_m], arch_radius_m(form), ARCH_INNER_Y);
     let [low, high] = panes_z(form);
     let window = panel([front - 1.22, front - 0.30], [low - 0.06, high - 0.05], 0.10);
     let skin = flank_panel(skin, Flank::Both, window, PANE);
     let reach = End::Front { beyond_x: front - 0.6 };
     let skin = end_panel(skin, reach, panel([-1.12, 1.12], [low, high], 0.12), PANE);
-    let lamp = Inside::Inset { material: Material::Lamp, rim: Material::Plastic, depth_m: 0.012 };
+    let lamp = CutTreatment::Inset { material: Material::Lamp, rim: Material::Plastic, depth_m: 0.012 };
     let skin = end_panel_pair(skin, reach, panel([0.76, 1.16], [0.68, 0.86], 0.06), lamp);
-    let slots = Inside::Inset { material: Material::Plastic, rim: Material::Chrome, depth_m: 0.03 };
+    let slots = CutTreatment::Inset { material: Material::Plastic, rim: Material::Chrome, depth_m: 0.03 };
     let skin = end_panel(skin, reach, panel([-0.80, 0.80], [1.02, low - 0.30], 0.06), slots);
     let rear_window = End::Rear { beyond_x: rear + 0.2 };
     end_panel(skin, rear_window, panel([-0.5, 0.5], [low + 0.15, high - 0.1], 0.08), PANE)

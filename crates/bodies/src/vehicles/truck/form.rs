@@ -1,6 +1,6 @@
 //! Proportions of trucks.
 
-use crate::vehicles::dimensions::{Draw, SizeRange};
+use crate::vehicles::dimensions::{ParameterSampler, SizeRange};
 
 /// Kind of truck.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -58,75 +58,75 @@ pub(crate) fn size_range(model: &str) -> SizeRange {
 
 impl Form {
     /// Form drawn for the model and seed, in the given size.
-    pub(crate) fn of(draw: &Draw, size_m: [f64; 3]) -> Self {
-        match draw.model {
-            "truck-box" => Self::box_truck(draw, size_m),
-            "truck-tanker" => Self::tanker(draw, size_m),
-            _ => Self::semi(draw, size_m),
+    pub(crate) fn of(sampler: &ParameterSampler, size_m: [f64; 3]) -> Self {
+        match sampler.model {
+            "truck-box" => Self::box_truck(sampler, size_m),
+            "truck-tanker" => Self::tanker(sampler, size_m),
+            _ => Self::semi(sampler, size_m),
         }
     }
 
-    fn box_truck(draw: &Draw, size_m: [f64; 3]) -> Self {
+    fn box_truck(sampler: &ParameterSampler, size_m: [f64; 3]) -> Self {
         let (front, rear) = (0.5 * size_m[0], -0.5 * size_m[0]);
-        let cab_length_m = draw.value("cab", 1.75, 1.65..=2.1);
-        let rear_axle_x = rear + draw.value("rear overhang", 0.26, 0.22..=0.30) * size_m[0];
+        let cab_length_m = sampler.value("cab", 1.75, 1.65..=2.1);
+        let rear_axle_x = rear + sampler.value("rear overhang", 0.26, 0.22..=0.30) * size_m[0];
         Self {
             kind: Kind::Box,
             size_m,
             ends_x: [front, rear],
             half_width_m: 1.25,
             cab_length_m,
-            cab_roof_z: draw.value("cab roof", 2.72, 2.6..=2.9),
+            cab_roof_z: sampler.value("cab roof", 2.72, 2.6..=2.9),
             wheel_radius_m: 0.46,
             wheel_sectors: 18,
-            front_axle_x: front - draw.value("front overhang", 1.32, 1.25..=1.4),
+            front_axle_x: front - sampler.value("front overhang", 1.32, 1.25..=1.4),
             twin_axles_x: vec![rear_axle_x],
             single_axles_x: vec![],
             frame_z: 0.92,
             frame_x: [front - 0.35, rear + 0.12],
-            load_x: [front - cab_length_m - draw.value("gap", 0.22, 0.15..=0.3), rear + 0.04],
+            load_x: [front - cab_length_m - sampler.value("gap", 0.22, 0.15..=0.3), rear + 0.04],
             load_floor_z: 1.06,
             load_top_z: size_m[2],
         }
     }
 
-    fn tanker(draw: &Draw, size_m: [f64; 3]) -> Self {
+    fn tanker(sampler: &ParameterSampler, size_m: [f64; 3]) -> Self {
         let (front, rear) = (0.5 * size_m[0], -0.5 * size_m[0]);
-        let cab_length_m = draw.value("cab", 1.95, 1.8..=2.2);
-        let tandem_x = rear + draw.value("rear overhang", 2.15, 2.0..=2.3);
+        let cab_length_m = sampler.value("cab", 1.95, 1.8..=2.2);
+        let tandem_x = rear + sampler.value("rear overhang", 2.15, 2.0..=2.3);
         Self {
             kind: Kind::Tanker,
             size_m,
             ends_x: [front, rear],
             half_width_m: 1.25,
             cab_length_m,
-            cab_roof_z: draw.value("cab roof", 2.95, 2.85..=3.0),
+            cab_roof_z: sampler.value("cab roof", 2.95, 2.85..=3.0),
             wheel_radius_m: 0.50,
             wheel_sectors: 18,
-            front_axle_x: front - draw.value("front overhang", 1.40, 1.35..=1.45),
+            front_axle_x: front - sampler.value("front overhang", 1.40, 1.35..=1.45),
             twin_axles_x: vec![tandem_x + 0.68, tandem_x - 0.68],
             single_axles_x: vec![],
             frame_z: 1.02,
             frame_x: [front - 0.35, rear + 0.12],
-            load_x: [front - cab_length_m - draw.value("gap", 0.35, 0.25..=0.45), rear + 0.10],
+            load_x: [front - cab_length_m - sampler.value("gap", 0.35, 0.25..=0.45), rear + 0.10],
             load_floor_z: 1.12,
             load_top_z: size_m[2] - 0.30,
         }
     }
 
-    fn semi(draw: &Draw, size_m: [f64; 3]) -> Self {
+    fn semi(sampler: &ParameterSampler, size_m: [f64; 3]) -> Self {
         let (front, rear) = (0.5 * size_m[0], -0.5 * size_m[0]);
-        let cab_length_m = draw.value("cab", 2.25, 2.1..=2.3);
-        let front_axle_x = front - draw.value("front overhang", 1.42, 1.38..=1.45);
-        let drive_x = front_axle_x - draw.value("wheelbase", 3.70, 3.6..=3.8);
-        let bogie_x = rear + draw.value("bogie", 3.75, 3.5..=4.0);
+        let cab_length_m = sampler.value("cab", 2.25, 2.1..=2.3);
+        let front_axle_x = front - sampler.value("front overhang", 1.42, 1.38..=1.45);
+        let drive_x = front_axle_x - sampler.value("wheelbase", 3.70, 3.6..=3.8);
+        let bogie_x = rear + sampler.value("bogie", 3.75, 3.5..=4.0);
         Self {
             kind: Kind::Semi,
             size_m,
             ends_x: [front, rear],
             half_width_m: 1.25,
             cab_length_m,
-            cab_roof_z: draw.value("cab roof", 3.45, 3.2..=3.65),
+            cab_roof_z: sampler.value("cab roof", 3.45, 3.2..=3.65),
             wheel_radius_m: 0.50,
             wheel_sectors: 18,
             front_axle_x,
@@ -134,7 +134,7 @@ impl Form {
             single_axles_x: vec![bogie_x + 1.31, bogie_x, bogie_x - 1.31],
             frame_z: 0.98,
             frame_x: [front - 0.35, drive_x - 0.85],
-            load_x: [rear + draw.value("trailer", 13.6, 13.4..=13.62), rear + 0.03],
+            load_x: [rear + sampler.value("trailer", 13.6, 13.4..=13.62), rear + 0.03],
             load_floor_z: 1.18,
             load_top_z: size_m[2],
         }

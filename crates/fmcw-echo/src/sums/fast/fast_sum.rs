@@ -6,15 +6,15 @@
 //! of threads.
 
 use crate::links::multiplexing::{element_factor, row};
-use crate::sums::direct_sum::{DirectSum, is_heard};
-use crate::sums::fast::equal_steps::EqualSteps;
+use crate::sums::direct_sum::{DirectSum, is_received};
+use crate::sums::fast::equidistant_chirps::EquidistantChirps;
 use crate::sums::fast::groups::{Group, groups, paths_min};
-use crate::sums::fast::instants::{Instant, Link, Listener, Tone};
+use crate::sums::fast::instants::{Instant, Link, ReceivingRadar, Tone};
 use crate::sums::fast::kernel::CELLS_MAX;
 use crate::sums::fast::scalar::{Scalar, rounded};
-use crate::sums::fast::smooth_part::{Asked, SmoothPart, cycles_of};
+use crate::sums::fast::smooth_part::{SmoothPart, SmoothPartRequest, cycles_of};
 use crate::sums::fast::tone_grid::{SETS, ToneGrid};
-use crate::sums::spans::{Part, by_part};
+use crate::sums::spans::{FrameSpan, by_span};
 use artifact::paths::Path;
 use artifact::radar::Multiplexing;
 use artifact::{Accuracy, Radar};
@@ -77,18 +77,18 @@ fn cube_in<T: Scalar>(
     error: f64,
 ) -> Vec<Complex<T>> {
     let (chirps, samples) = (radar.waveform.chirps as usize, radar.waveform.samples as usize);
-    let mut listeners: Vec<Listener<'_>> = EqualSteps::of(radar)
+    let mut receiving_radars: Vec<ReceivingRadar<'_>> = EquidistantChirps::of(radar)
         .into_iter()
-        .map(|steps| Listener::new(radar, centre_frequency_hz, steps))
+        .map(|steps| ReceivingRadar::new(radar, centre_frequency_hz, steps))
         .collect();
-    if listeners.len() == 1 {
-        return part_of_cube(&listeners.remove(0), paths, error);
+    if receiving_radars.len() == 1 {
+        return part_of_cube(&receiving_radars.remove(0), paths, error);
     }
     let mut cube = vec![Complex::new(T::zero(), T::zero()); radar.cube_channels() * chirps * samples];
-    for listener in &listeners {
-        let rows = part_of_cube::<T>(listener, paths, error);
+    for receiving in &receiving_radars {
+        let rows = part_of_cube::<T>(receiving, paths, error);
         for (r, row) in rows.chunks_exact(samples).enumerate() {
-            let [channel, chirp] = listener.steps.place(r);
+            let [channel, chirp] = receiving.steps.place(r);
             cube[(channel * chirps + chirp) * samples..][..samples].copy_from_slice(row);
         }
     }
@@ -96,21 +96,22 @@ fn cube_in<T: Scalar>(
 }
 
 /// Rows of chirps at equal steps.
-fn part_of_cube<T: Scalar>(listener: &Listener<'_>, paths: &[Path], error: f64) -> Vec<Complex<T>> {
-    let radar = listener.radar;
+fn part_of_cube<T: Scalar>(receiving: &ReceivingRadar<'_>, paths: &[Path], error: f64) -> Vec<Complex<T>> {
+    let radar = receiving.radar;
     let links = links(radar);
-    let heard = paths.iter().filter(|path| is_heard(radar, path));
+    let heard = paths.iter().filter(|path| is_received(radar, path));
     let (on_rims, heard): (Vec<&Path>, Vec<&Path>) = heard.partition(|path| path.curve.rim.is_some());
-    let asked = Asked { error: 0.6 * error, instants_max: INSTANTS_MAX, paths_min: paths_min(error) };
-    let length = listener.steps.chirps * radar.waveform.samples as usize;
+    let asked =
+        SmoothPartRequest { error: 0.6 * error, instants_max: INSTANTS_MAX, paths_min: paths_min(error) };
+    let length = receiving.steps.chirps * radar.waveform.samples as usize;
     let mut of_links = vec![Complex::new(T::zero(), T::zero()); links.len() * length];
     let mut alone: Vec<Path> = on_rims.into_iter().copied().collect();
-    for (part, paths) in by_part(heard) {
-        let part = PartOfFrame::of(listener, &links, part);
-        if part.listener.steps.chirps == 0 {
+    for (part, paths) in by_span(heard) {
+        let part = CoveredSpan::of(receiving, &links, part);
+        if part.receiving.steps.chirps == 0 {
             continue;
         }
-        for group in groups(&part.listener, &paths, &links, asked) {
+        for group in groups(&part.receiving, &paths, &links, asked) {
             match &group.smooth {
                 // A group outside the antenna pattern has no echo.
                 Some(smooth) if smooth.instants.is_empty() => {}
@@ -119,15 +120,19 @@ fn part_of_cube<T: Scalar>(listener: &Listener<'_>, paths: &[Path], error: f64) 
             }
         }
     }
-    let mut cube = channels(listener, of_links, length);
+    let mut cube = channels(receiving, of_links, length);
     if !alone.is_empty() {
-        add_one_by_one(&DirectSum::new(radar, listener.centre_frequency_hz, &alone), listener, &mut cube);
+        add_one_by_one(&DirectSum::new(radar, receiving.centre_frequency_hz, &alone), receiving, &mut cube);
     }
     cube
 }
 
-fn add_one_by_one<T: Scalar>(direct: &DirectSum<'_>, listener: &Listener<'_>, cube: &mut [Complex<T>]) {
-    let (steps, samples) = (&listener.steps, listener.radar.waveform.samples as usize);
+fn add_one_by_one<T: Scalar>(
+    direct: &DirectSum<'_>,
+    receiving: &ReceivingRadar<'_>,
+    cube: &mut [Complex<T>],
+) {
+    let (steps, samples) = (&receiving.steps, receiving.radar.waveform.samples as usize);
     cube.par_chunks_mut(samples).enumerate().for_each(|(r, total)| {
         let [channel, chirp] = steps.place(r);
         let values = direct.row(channel, chirp);
@@ -142,8 +147,8 @@ fn links(radar: &Radar) -> Vec<Link> {
 }
 
 /// Part of a frame represented by some paths: their sum covers no other chirps and links.
-struct PartOfFrame<'a> {
-    listener: Listener<'a>,
+struct CoveredSpan<'a> {
+    receiving: ReceivingRadar<'a>,
     /// Share of every chirp and sample of the part, by transmitter; `None` if the paths represent the whole
     /// frame.
     over_time: Option<Vec<Vec<f64>>>,
@@ -154,20 +159,20 @@ struct PartOfFrame<'a> {
     chirps: usize,
 }
 
-impl<'a> PartOfFrame<'a> {
-    fn of(whole: &Listener<'a>, links: &[Link], part: Part) -> Self {
+impl<'a> CoveredSpan<'a> {
+    fn of(whole: &ReceivingRadar<'a>, links: &[Link], part: FrameSpan) -> Self {
         let of_array = part.of_array;
         let over_links = of_array.map(|span| {
             links.iter().map(|link| span.share(whole.transmission(*link, 0.0).ends_m())).collect()
         });
-        Self { over_links, ..Self::of_time(whole, Part { of_array: None, ..part }) }
+        Self { over_links, ..Self::of_time(whole, FrameSpan { of_array: None, ..part }) }
     }
 
-    fn of_time(whole: &Listener<'a>, part: Part) -> Self {
+    fn of_time(whole: &ReceivingRadar<'a>, part: FrameSpan) -> Self {
         let chirps = whole.steps.chirps;
         if part.is_whole() {
-            let listener = whole.during(&(0..chirps));
-            return Self { listener, over_time: None, over_links: None, before: 0, chirps };
+            let receiving = whole.during(&(0..chirps));
+            return Self { receiving, over_time: None, over_links: None, before: 0, chirps };
         }
         let (radar, transmitters) = (whole.radar, 0..whole.radar.array.tx_m.len());
         let row = |tx: usize, chirp: usize| {
@@ -175,17 +180,17 @@ impl<'a> PartOfFrame<'a> {
         };
         let mut of_tx: Vec<Vec<Vec<f64>>> =
             transmitters.map(|tx| (0..chirps).map(|chirp| row(tx, chirp)).collect()).collect();
-        let is_heard =
+        let is_received =
             |chirp: &usize| of_tx.iter().any(|rows| rows[*chirp].iter().any(|share| *share != 0.0));
-        let first = (0..chirps).find(is_heard).unwrap_or(0);
-        let end = (first..chirps).rev().find(is_heard).map_or(first, |last| last + 1);
+        let first = (0..chirps).find(is_received).unwrap_or(0);
+        let end = (first..chirps).rev().find(is_received).map_or(first, |last| last + 1);
         let shares = of_tx.iter_mut().map(|rows| rows.drain(first..end).flatten().collect()).collect();
-        let listener = whole.during(&(first..end));
-        Self { listener, over_time: Some(shares), over_links: None, before: first, chirps }
+        let receiving = whole.during(&(first..end));
+        Self { receiving, over_time: Some(shares), over_links: None, before: first, chirps }
     }
 
     /// Whether a link receives any of the part.
-    fn is_heard_by(&self, link: usize) -> bool {
+    fn is_received_by(&self, link: usize) -> bool {
         self.over_links.as_ref().is_none_or(|shares| shares[link] != 0.0)
     }
 
@@ -198,13 +203,13 @@ impl<'a> PartOfFrame<'a> {
         error: f64,
         of_links: &mut [Complex<T>],
     ) {
-        let listener = &self.listener;
-        let modes = [listener.steps.chirps, listener.radar.waveform.samples as usize];
-        let tones: Vec<Tone> = group.paths.par_iter().map(|path| listener.tone(path)).collect();
+        let receiving = &self.receiving;
+        let modes = [receiving.steps.chirps, receiving.radar.waveform.samples as usize];
+        let tones: Vec<Tone> = group.paths.par_iter().map(|path| receiving.tone(path)).collect();
         let grid = ToneGrid::<T>::new(&tones, modes, error);
         let ordered: Vec<&Path> = grid.order().map(|i| group.paths[i]).collect();
         let tones: Vec<Tone> = grid.order().map(|i| tones[i]).collect();
-        let exact = DirectSum::for_moments(listener.radar, listener.centre_frequency_hz, &ordered);
+        let exact = DirectSum::for_moments(receiving.radar, receiving.centre_frequency_hz, &ordered);
         let sets: Vec<(usize, usize)> = (0..links.len())
             .flat_map(|link| (0..smooth.instants.len()).map(move |instant| (link, instant)))
             .collect();
@@ -215,7 +220,7 @@ impl<'a> PartOfFrame<'a> {
             of_links.par_chunks_mut(block * length).zip(sets.par_chunks(block * smooth.instants.len()));
         blocks.for_each(|(of_block, sets)| {
             let first_link = sets[0].0;
-            let heard = sets.iter().copied().filter(|(link, _)| self.is_heard_by(*link));
+            let heard = sets.iter().copied().filter(|(link, _)| self.is_received_by(*link));
             let sets: Vec<(usize, usize)> = heard.collect();
             if sets.is_empty() {
                 return;
@@ -223,7 +228,7 @@ impl<'a> PartOfFrame<'a> {
             let strengths: Vec<Vec<Complex<T>>> = sets
                 .par_iter()
                 .map(|&(link, instant)| {
-                    strengths(listener, &exact, &tones, links[link], smooth.instants[instant])
+                    strengths(receiving, &exact, &tones, links[link], smooth.instants[instant])
                 })
                 .collect();
             grid.transform(&strengths, &mut |set, values| {
@@ -256,15 +261,15 @@ impl<'a> PartOfFrame<'a> {
 
 /// Values of all paths at an instant, with their tones removed.
 fn strengths<T: Scalar>(
-    listener: &Listener<'_>,
+    receiving: &ReceivingRadar<'_>,
     exact: &DirectSum<'_>,
     tones: &[Tone],
     link: Link,
     at: Instant,
 ) -> Vec<Complex<T>> {
-    let middle = listener.middle();
+    let middle = receiving.middle();
     let cycles: Vec<f64> = tones.iter().map(|tone| cycles_of(*tone, at, middle)).collect();
-    let transmission = listener.transmission(link, at.chirp);
+    let transmission = receiving.transmission(link, at.chirp);
     exact.values(&transmission, at.sample, &cycles).into_iter().map(rounded).collect()
 }
 
@@ -276,11 +281,11 @@ fn is_link_by_link(radar: &Radar) -> bool {
 /// Channels from links; with Doppler division and codes a receiver's channel is the sum of all its links,
 /// each rotated chirp by chirp.
 fn channels<T: Scalar>(
-    listener: &Listener<'_>,
+    receiving: &ReceivingRadar<'_>,
     mut of_links: Vec<Complex<T>>,
     length: usize,
 ) -> Vec<Complex<T>> {
-    let (radar, steps) = (listener.radar, &listener.steps);
+    let (radar, steps) = (receiving.radar, &receiving.steps);
     if is_link_by_link(radar) {
         for (link, values) in links(radar).iter().zip(of_links.chunks_exact_mut(length)) {
             let factor = element_factor(radar, link.tx, link.rx);

@@ -1,7 +1,7 @@
 //! Paths that move alike, so that a few instants represent all of them.
 
-use crate::sums::fast::instants::{Link, Listener};
-use crate::sums::fast::smooth_part::{Asked, SmoothPart};
+use crate::sums::fast::instants::{Link, ReceivingRadar};
+use crate::sums::fast::smooth_part::{SmoothPart, SmoothPartRequest};
 use artifact::paths::Path;
 
 /// Paths and their smooth part; `None` if no few instants suffice, or if there are too few paths for a
@@ -14,16 +14,16 @@ pub(crate) struct Group<'p> {
 /// Paths of one target each, halved by velocity and by range until a few instants represent their smooth
 /// parts.
 pub(crate) fn groups<'p>(
-    listener: &Listener<'_>,
+    receiving: &ReceivingRadar<'_>,
     paths: &[&'p Path],
     links: &[Link],
-    asked: Asked,
+    asked: SmoothPartRequest,
 ) -> Vec<Group<'p>> {
     let mut by_target = paths.to_vec();
     by_target.sort_by_key(|path| path.target);
     by_target
         .chunk_by(|a, b| a.target == b.target)
-        .flat_map(|paths| split(listener, paths.to_vec(), links, asked))
+        .flat_map(|paths| split(receiving, paths.to_vec(), links, asked))
         .collect()
 }
 
@@ -40,24 +40,29 @@ pub(crate) fn paths_min(error: f64) -> usize {
     }
 }
 
-fn split<'p>(listener: &Listener<'_>, paths: Vec<&'p Path>, links: &[Link], asked: Asked) -> Vec<Group<'p>> {
+fn split<'p>(
+    receiving: &ReceivingRadar<'_>,
+    paths: Vec<&'p Path>,
+    links: &[Link],
+    asked: SmoothPartRequest,
+) -> Vec<Group<'p>> {
     if paths.len() < asked.paths_min {
         return vec![Group { paths, smooth: None }];
     }
-    if let Some(smooth) = SmoothPart::of(listener, &paths, links, asked) {
+    if let Some(smooth) = SmoothPart::of(receiving, &paths, links, asked) {
         return vec![Group { paths, smooth: Some(smooth) }];
     }
-    let (slow, fast) = halves(listener, paths);
-    [slow, fast].into_iter().flat_map(|half| split(listener, half, links, asked)).collect()
+    let (slow, fast) = halves(receiving, paths);
+    [slow, fast].into_iter().flat_map(|half| split(receiving, half, links, asked)).collect()
 }
 
 /// Halves a set of paths at the median of the tone component that spreads over more of its cells: velocity
 /// along chirps, range along samples.
-fn halves<'p>(listener: &Listener<'_>, paths: Vec<&'p Path>) -> (Vec<&'p Path>, Vec<&'p Path>) {
-    let waveform = &listener.radar.waveform;
+fn halves<'p>(receiving: &ReceivingRadar<'_>, paths: Vec<&'p Path>) -> (Vec<&'p Path>, Vec<&'p Path>) {
+    let waveform = &receiving.radar.waveform;
     let cells = |path: &Path| {
-        let tone = listener.tone(path);
-        [tone.per_chirp * listener.steps.chirps as f64, tone.per_sample * f64::from(waveform.samples)]
+        let tone = receiving.tone(path);
+        [tone.per_chirp * receiving.steps.chirps as f64, tone.per_sample * f64::from(waveform.samples)]
     };
     let mut of: Vec<([f64; 2], &Path)> = paths.into_iter().map(|path| (cells(path), path)).collect();
     let span = |axis: usize| {
@@ -74,7 +79,7 @@ fn halves<'p>(listener: &Listener<'_>, paths: Vec<&'p Path>) -> (Vec<&'p Path>, 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sums::fast::equal_steps::EqualSteps;
+    use crate::sums::fast::equidistant_chirps::EquidistantChirps;
     use crate::sums::fast::test_path::path_by;
     use radar::aperture::Preset;
     use radar::paper;
@@ -84,8 +89,8 @@ mod tests {
     fn a_body_that_moves_by_many_range_cells_is_told_by_a_few_instants() {
         let waveform = paper::waveform(1024, 512);
         let radar = paper::radar([0.0, 0.0, 6.0], waveform, Preset::OneByOne.elements());
-        let steps = EqualSteps::of(&radar).remove(0);
-        let listener = Listener::new(&radar, radar.waveform.centre_frequency_hz(), steps);
+        let steps = EquidistantChirps::of(&radar).remove(0);
+        let receiving = ReceivingRadar::new(&radar, radar.waveform.centre_frequency_hz(), steps);
         let fraction = |i: usize, step: f64| (i as f64 * step).fract() - 0.5;
         let path = |i: usize| {
             let at_m = [5.4 + 2.5 * fraction(i, 0.618_034), 32.0 + 7.0 * fraction(i, 0.732_051), 2.0];
@@ -95,8 +100,8 @@ mod tests {
         let paths: Vec<&Path> = paths.iter().collect();
         let moved_cells = 10.0 * radar.frame_duration_s() / radar.waveform.range_resolution_m();
         assert!(moved_cells > 17.0, "{moved_cells}");
-        let asked = Asked { error: 6e-4, instants_max: 12, paths_min: 40 };
-        let groups = groups(&listener, &paths, &[Link { tx: 0, rx: 0 }], asked);
+        let asked = SmoothPartRequest { error: 6e-4, instants_max: 12, paths_min: 40 };
+        let groups = groups(&receiving, &paths, &[Link { tx: 0, rx: 0 }], asked);
         let told: usize = groups.iter().filter(|g| g.smooth.is_some()).map(|g| g.paths.len()).sum();
         assert!(told == paths.len(), "{told} of {} paths, {} groups", paths.len(), groups.len());
     }

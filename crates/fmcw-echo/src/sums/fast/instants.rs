@@ -5,7 +5,7 @@
 //! rate.
 
 use crate::links::multiplexing::{Transmission, line_delay_s};
-use crate::sums::fast::equal_steps::EqualSteps;
+use crate::sums::fast::equidistant_chirps::EquidistantChirps;
 use artifact::Radar;
 use artifact::paths::Path;
 use artifact::units::SPEED_OF_LIGHT_MPS;
@@ -32,7 +32,7 @@ pub(crate) struct Instant {
 
 /// An IF value whose phase in cycles is not yet reduced modulo 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Value {
+pub(crate) struct IfValue {
     pub(crate) amplitude: Complex64,
     pub(crate) cycles: f64,
 }
@@ -45,11 +45,11 @@ pub(crate) struct Tone {
 }
 
 /// A radar that receives paths.
-pub(crate) struct Listener<'a> {
+pub(crate) struct ReceivingRadar<'a> {
     pub(crate) radar: &'a Radar,
     pub(crate) centre_frequency_hz: f64,
     /// Chirps that are received.
-    pub(crate) steps: EqualSteps,
+    pub(crate) steps: EquidistantChirps,
     link_amplitude: f64,
     axes: [DVec3; 3],
 }
@@ -63,8 +63,8 @@ struct ElementLeg {
     gain_per_m: f64,
 }
 
-impl<'a> Listener<'a> {
-    pub(crate) fn new(radar: &'a Radar, centre_frequency_hz: f64, steps: EqualSteps) -> Self {
+impl<'a> ReceivingRadar<'a> {
+    pub(crate) fn new(radar: &'a Radar, centre_frequency_hz: f64, steps: EquidistantChirps) -> Self {
         let (link_amplitude, axes) = (link_amplitude(radar), axes(radar));
         Self { radar, centre_frequency_hz, steps, link_amplitude, axes }
     }
@@ -90,7 +90,7 @@ impl<'a> Listener<'a> {
         path: &Path,
         links: &[Link],
         at: Instant,
-        give: &mut dyn FnMut(usize, Value),
+        give: &mut dyn FnMut(usize, IfValue),
     ) {
         let t = at.sample / self.radar.waveform.sample_rate_hz;
         let mut place = 0;
@@ -141,7 +141,7 @@ impl<'a> Listener<'a> {
     }
 
     /// Value by eq. (13): √(P_tG_tG_r)·λ/(4π)^{3/2}·conj a(f)·gain, and f₀τ + μtτ − ½μτ².
-    fn value(&self, path: &Path, t: f64, tau: f64, gain_per_m2: f64) -> Value {
+    fn value(&self, path: &Path, t: f64, tau: f64, gain_per_m2: f64) -> IfValue {
         let waveform = &self.radar.waveform;
         let (receive, transmit) = self.radar.array.polarization.indices();
         let offset_hz =
@@ -149,7 +149,7 @@ impl<'a> Listener<'a> {
         let amplitude_m =
             path.amplitude_m[receive][transmit] + offset_hz * path.slope_m_per_hz[receive][transmit];
         let amplitude = self.link_amplitude * gain_per_m2 * amplitude_m.conj();
-        Value { amplitude, cycles: if_cycles(waveform, t, tau) }
+        IfValue { amplitude, cycles: if_cycles(waveform, t, tau) }
     }
 
     fn departing(&self, path: &Path, element_m: DVec3, scattering_time_s: f64) -> ElementLeg {

@@ -4,11 +4,11 @@
 //! A path's IF value is its tone, e^{j2π(αn + βm)}, times a factor that varies slowly with chirp n and sample
 //! m: range migration, acceleration, spreading, the element's own delay, the amplitude over the band. Divided
 //! by that of the group's mean path it hardly varies, so that its values at one to a few instants represent
-//! the frame ([`Skeleton`]). Grids of Chebyshev points represent the mean path's.
+//! the frame ([`EmpiricalInterpolation`]). Grids of Chebyshev points represent the mean path's.
 
-use crate::sums::fast::instants::{Instant, Link, Listener, Tone};
+use crate::sums::fast::empirical_interpolation::{EmpiricalInterpolation, root_mean_square};
+use crate::sums::fast::instants::{Instant, Link, ReceivingRadar, Tone};
 use crate::sums::fast::scalar::{Scalar, rounded};
-use crate::sums::fast::skeleton::{Skeleton, root_mean_square};
 use artifact::paths::{Curve, Path};
 use num_complex::{Complex, Complex64};
 use rayon::prelude::*;
@@ -25,7 +25,7 @@ pub(crate) struct SmoothPart {
 
 /// Request for a smooth part.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Asked {
+pub(crate) struct SmoothPartRequest {
     /// Root mean square error, relative to each path's maximum.
     pub(crate) error: f64,
     pub(crate) instants_max: usize,
@@ -36,17 +36,22 @@ pub(crate) struct Asked {
 impl SmoothPart {
     /// Smooth part of a set of paths; `None` if more instants than allowed, or a finer grid than
     /// [`GRID_MAX`], would be needed.
-    pub(crate) fn of(listener: &Listener<'_>, paths: &[&Path], links: &[Link], asked: Asked) -> Option<Self> {
+    pub(crate) fn of(
+        receiving: &ReceivingRadar<'_>,
+        paths: &[&Path],
+        links: &[Link],
+        asked: SmoothPartRequest,
+    ) -> Option<Self> {
         let middle = middle_of(paths)?;
-        let some = spread_over(listener, paths);
-        let axes = grid_for(listener, &middle, &some, links, 0.5 * asked.error)?;
+        let some = spread_over(receiving, paths);
+        let axes = grid_for(receiving, &middle, &some, links, 0.5 * asked.error)?;
         let grid = points(&axes);
         let few: Vec<Link> = [0, links.len() / 2, links.len() - 1].map(|i| links[i]).to_vec();
-        let of_middle = slow_values(listener, &middle, links, &grid);
-        let of_few = slow_values(listener, &middle, &few, &grid);
+        let of_middle = slow_values(receiving, &middle, links, &grid);
+        let of_few = slow_values(receiving, &middle, &few, &grid);
         let (train, test): (Vec<_>, Vec<_>) = some.into_iter().enumerate().partition(|(i, _)| i % 2 == 0);
         let relative = |(_, path): &(usize, &Path)| {
-            let values = slow_values(listener, path, &few, &grid);
+            let values = slow_values(receiving, path, &few, &grid);
             values
                 .into_iter()
                 .zip(&of_few)
@@ -54,19 +59,24 @@ impl SmoothPart {
                 .collect::<Vec<_>>()
         };
         let known: Vec<Vec<Complex64>> = train.iter().flat_map(relative).collect();
-        let skeleton = Skeleton::of(&known, 0.7 * asked.error, asked.instants_max);
+        let interpolation = EmpiricalInterpolation::of(&known, 0.7 * asked.error, asked.instants_max);
         let unseen: Vec<Vec<Complex64>> =
-            test.iter().flat_map(relative).map(|function| skeleton.missed(&function)).collect();
-        if skeleton.left.max(root_mean_square(&unseen)) > asked.error {
+            test.iter().flat_map(relative).map(|function| interpolation.residual(&function)).collect();
+        if interpolation.residual_rms.max(root_mean_square(&unseen)) > asked.error {
             return None;
         }
         let shape = |i: usize, of_link: &Vec<Complex64>| {
-            let at_point = of_link[skeleton.points[i]];
-            skeleton.shares[i].iter().zip(of_link).map(|(share, value)| share * value / at_point).collect()
+            let at_point = of_link[interpolation.points[i]];
+            interpolation.shares[i]
+                .iter()
+                .zip(of_link)
+                .map(|(share, value)| share * value / at_point)
+                .collect()
         };
-        let shapes =
-            (0..skeleton.points.len()).map(|i| of_middle.iter().map(|v| shape(i, v)).collect()).collect();
-        let instants = skeleton.points.iter().map(|&point| grid[point]).collect();
+        let shapes = (0..interpolation.points.len())
+            .map(|i| of_middle.iter().map(|v| shape(i, v)).collect())
+            .collect();
+        let instants = interpolation.points.iter().map(|&point| grid[point]).collect();
         Some(Self { instants, axes, shapes })
     }
 
@@ -156,13 +166,13 @@ const GRID_COARSE: usize = 32;
 /// Grid that represents the smooth part of the mean path and of those farthest from it, checked between its
 /// points.
 fn grid_for(
-    listener: &Listener<'_>,
+    receiving: &ReceivingRadar<'_>,
     middle: &Path,
     some: &[&Path],
     links: &[Link],
     error: f64,
 ) -> Option<[ChebyshevAxis; 2]> {
-    let (chirps, samples) = (listener.steps.chirps, listener.radar.waveform.samples as usize);
+    let (chirps, samples) = (receiving.steps.chirps, receiving.radar.waveform.samples as usize);
     let one = [links[links.len() - 1]];
     let paths: Vec<&Path> = some.iter().take(8).copied().chain([middle]).collect();
     // Golden-ratio points, which lie between the points of any grid.
@@ -180,8 +190,8 @@ fn grid_for(
         let axes = [ChebyshevAxis::new(chirps, counts[0]), ChebyshevAxis::new(samples, counts[1])];
         let grid = points(&axes);
         let misses = |path: &&Path| {
-            let coarse = slow_values(listener, path, &one, &grid).remove(0);
-            let exact = slow_values(listener, path, &one, &between).remove(0);
+            let coarse = slow_values(receiving, path, &one, &grid).remove(0);
+            let exact = slow_values(receiving, path, &one, &between).remove(0);
             let size = coarse.iter().map(|v| v.norm()).fold(f64::MIN_POSITIVE, f64::max);
             let told = between.iter().map(|at| on_grid(&axes, &coarse, *at));
             told.zip(exact).map(|(told, exact)| (told - exact).norm() / size).fold(0.0, f64::max)
@@ -207,16 +217,16 @@ fn on_grid(axes: &[ChebyshevAxis; 2], coarse: &[Complex64], at: Instant) -> Comp
 
 /// Values by link, then instant, with the path's tone removed.
 fn slow_values(
-    listener: &Listener<'_>,
+    receiving: &ReceivingRadar<'_>,
     path: &Path,
     links: &[Link],
     instants: &[Instant],
 ) -> Vec<Vec<Complex64>> {
-    let tone = listener.tone(path);
+    let tone = receiving.tone(path);
     let mut values = vec![Vec::with_capacity(instants.len()); links.len()];
     for at in instants {
-        listener.for_each_value(path, links, *at, &mut |place, value| {
-            let cycles = value.cycles - cycles_of(tone, *at, listener.middle());
+        receiving.for_each_value(path, links, *at, &mut |place, value| {
+            let cycles = value.cycles - cycles_of(tone, *at, receiving.middle());
             values[place].push(value.amplitude * Complex64::cis(TAU * (cycles - cycles.round())));
         });
     }
@@ -261,8 +271,8 @@ fn middle_of(paths: &[&Path]) -> Option<Path> {
 }
 
 /// Sample of a group's paths: those with the smallest and the largest tones, and others between, alternately.
-fn spread_over<'p>(listener: &Listener<'_>, paths: &[&'p Path]) -> Vec<&'p Path> {
-    let tones: Vec<Tone> = paths.par_iter().map(|path| listener.tone(path)).collect();
+fn spread_over<'p>(receiving: &ReceivingRadar<'_>, paths: &[&'p Path]) -> Vec<&'p Path> {
+    let tones: Vec<Tone> = paths.par_iter().map(|path| receiving.tone(path)).collect();
     let extreme = |of: fn(&Tone) -> f64| {
         let by = |a: &usize, b: &usize| of(&tones[*a]).total_cmp(&of(&tones[*b]));
         [(0..paths.len()).min_by(by), (0..paths.len()).max_by(by)]
@@ -280,7 +290,7 @@ const SPREAD: usize = 48;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sums::fast::equal_steps::EqualSteps;
+    use crate::sums::fast::equidistant_chirps::EquidistantChirps;
     use crate::sums::fast::instants::Link;
     use crate::sums::fast::test_path::path_by;
     use artifact::radar::Radar;
@@ -297,8 +307,8 @@ mod tests {
     #[test]
     fn x5_one_two_and_three_instants_leave_39_78_and_116_db() {
         let radar = radar();
-        let steps = EqualSteps::of(&radar).remove(0);
-        let listener = Listener::new(&radar, radar.waveform.centre_frequency_hz(), steps);
+        let steps = EquidistantChirps::of(&radar).remove(0);
+        let receiving = ReceivingRadar::new(&radar, radar.waveform.centre_frequency_hz(), steps);
         let fraction = |i: usize, step: f64| (i as f64 * step).fract() - 0.5;
         let path = |i: usize| {
             let at_m = [0.0, 2e5 + 5.0 * fraction(i, 0.618_034), 0.0];
@@ -315,14 +325,14 @@ mod tests {
         };
         let grid = points(&[even(&axes[0], 127.0), even(&axes[1], 511.0)]);
         let one = [Link { tx: 0, rx: 0 }];
-        let middle = slow_values(&listener, &middle_of(&paths).unwrap(), &one, &grid).remove(0);
+        let middle = slow_values(&receiving, &middle_of(&paths).unwrap(), &one, &grid).remove(0);
         let functions: Vec<Vec<Complex64>> = paths
             .iter()
-            .map(|path| unit(quotient(slow_values(&listener, path, &one, &grid).remove(0), &middle)))
+            .map(|path| unit(quotient(slow_values(&receiving, path, &one, &grid).remove(0), &middle)))
             .collect();
         for (instants, known_db) in [(1, -39.0), (2, -78.0), (3, -116.0)] {
-            let skeleton = Skeleton::of(&functions, 0.0, instants);
-            let got_db = 20.0 * skeleton.left.log10();
+            let interpolation = EmpiricalInterpolation::of(&functions, 0.0, instants);
+            let got_db = 20.0 * interpolation.residual_rms.log10();
             println!("X5: {instants} instants leave {got_db:.1} dB, known {known_db} dB");
             assert!((got_db - known_db).abs() < 3.0 || got_db < known_db);
         }

@@ -21,7 +21,7 @@ pub(crate) struct ToneGrid<T: Scalar> {
     modes: [usize; 2],
     cells: [usize; 2],
     /// Tones in the order of the cells that they reach.
-    spots: Vec<Spot<T>>,
+    spots: Vec<SpreadTone<T>>,
     /// Rows of cells reached by any tone, ascending.
     rows: Vec<usize>,
     /// Index of a row among those reached by tones; `u32::MAX` for others.
@@ -33,7 +33,7 @@ pub(crate) struct ToneGrid<T: Scalar> {
 
 /// Position of a tone among the cells.
 #[derive(Clone, Copy)]
-struct Spot<T> {
+struct SpreadTone<T> {
     /// Index of the tone.
     tone: u32,
     /// First row and column of cells.
@@ -55,7 +55,7 @@ impl<T: Scalar> ToneGrid<T> {
             .map(|(i, tone)| (first_cells(&kernel, cells, tone), i as u32))
             .collect();
         order.par_sort_unstable();
-        let spots: Vec<Spot<T>> =
+        let spots: Vec<SpreadTone<T>> =
             order.par_iter().map(|&(first, i)| spot(&kernel, cells, tones[i as usize], first, i)).collect();
         let mut place_of_row = vec![u32::MAX; cells[0]];
         for row in spots.iter().flat_map(|spot| rows_of(spot.first[0], kernel.cells, cells[0])) {
@@ -169,11 +169,17 @@ fn first_cells(kernel: &Kernel, cells: [usize; 2], tone: &Tone) -> [u32; 2] {
     [0, 1].map(|axis| (kernel.first(places[axis]) as i64).rem_euclid(cells[axis] as i64) as u32)
 }
 
-fn spot<T: Scalar>(kernel: &Kernel, cells: [usize; 2], tone: Tone, first: [u32; 2], index: u32) -> Spot<T> {
+fn spot<T: Scalar>(
+    kernel: &Kernel,
+    cells: [usize; 2],
+    tone: Tone,
+    first: [u32; 2],
+    index: u32,
+) -> SpreadTone<T> {
     let mut weights = [[T::zero(); CELLS_MAX]; 2];
     let places = places(cells, &tone);
     (0..2).for_each(|axis| kernel.weigh(places[axis], &mut weights[axis]));
-    Spot { tone: index, first, weights }
+    SpreadTone { tone: index, first, weights }
 }
 
 /// Rows of cells from a first one on, wrapping around the grid.

@@ -69,7 +69,7 @@ fn beside_a_target_stands_4_l_sin_squared_pi_f_tau_and_near_targets_keep_little_
             let oscillator = Oscillator::of(&radar, seed, 0, 1e-6).unwrap();
             for chirp in 0..128 {
                 let turn = |n: usize| {
-                    oscillator.turn(radar.chirp_start_s(0, chirp) + n as f64 / 5.12e6, delay_s).arg()
+                    oscillator.rotation(radar.chirp_start_s(0, chirp) + n as f64 / 5.12e6, delay_s).arg()
                 };
                 let mut row: Vec<Complex64> = (0..samples).map(|n| Complex64::from(turn(n))).collect();
                 fft.process(&mut row);

@@ -1,7 +1,7 @@
 //! Frames of points and the labels that belong to them: by the names of the files that the frames were read
 //! from, or by their order.
 
-use crate::radar_cloud::import::ending;
+use crate::radar_cloud::import::extension;
 use pipeline::host::failure::Failure;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -20,7 +20,7 @@ impl FrameNames {
     /// Frames of points with these inputs, as their provenance names them.
     pub(super) fn of(inputs: &[(String, String)], frames: usize) -> Self {
         let files = inputs.iter().map(|(name, _)| Path::new(name));
-        let of_frames = files.filter(|file| ending(file).is_some_and(|ending| ENDINGS.contains(&ending)));
+        let of_frames = files.filter(|file| extension(file).is_some_and(|ending| ENDINGS.contains(&ending)));
         let names: Vec<String> = of_frames.map(name_of).collect();
         Self { names: (names.len() == frames).then_some(names), frames }
     }

@@ -6,10 +6,10 @@
 //! camera = R0_rect·Tr_velo_to_cam·sensor. View-of-Delft tells bodies apart by whole numbers in place of the
 //! truncation, where it tells them.
 
-use crate::radar_cloud::import::{ending, frames_of};
+use crate::radar_cloud::import::{extension, frames_of};
 use crate::training_sets::labels::frame_names::{FrameNames, name_of};
+use crate::training_sets::labels::label_collector::{Label, LabelCollector};
 use crate::training_sets::labels::label_error::LabelError;
-use crate::training_sets::labels::reading::{Label, Reading};
 use crate::training_sets::labels::sensor_box::SensorBox;
 use artifact::bounded;
 use evaluation::LabelledBox;
@@ -40,7 +40,7 @@ const ROTATION_TOLERANCE: f64 = 1e-3;
 pub(super) fn frames(
     place: &Path,
     names: &FrameNames,
-    reading: &mut Reading,
+    reading: &mut LabelCollector,
 ) -> Result<Vec<Option<Vec<LabelledBox>>>, Failure> {
     let files: BTreeMap<String, PathBuf> =
         files(place)?.into_iter().map(|file| (name_of(&file), file)).collect();
@@ -50,13 +50,13 @@ pub(super) fn frames(
 
 /// Files of labels, none of which is in another format.
 fn files(place: &Path) -> Result<Vec<PathBuf>, Failure> {
-    let is_pickle = |file: &PathBuf| ending(file).is_some_and(|ending| PICKLES.contains(&ending));
+    let is_pickle = |file: &PathBuf| extension(file).is_some_and(|ending| PICKLES.contains(&ending));
     let refused = |rule: &str| Err(Failure::Refused(format!("{}: {rule}", place.display())));
     if frames_of(place, &PICKLES).is_ok_and(|files| files.iter().any(is_pickle)) {
         return refused("labels in Python's pickles are not read: a pickle is a program");
     }
     let files = frames_of(place, &["txt"])?;
-    match files.iter().all(|file| ending(file) == Some("txt")) {
+    match files.iter().all(|file| extension(file) == Some("txt")) {
         true => Ok(files),
         false => refused("read are labels of KITTI (label_2, .txt) and the folder of nuScenes' tables"),
     }
@@ -66,7 +66,7 @@ fn files(place: &Path) -> Result<Vec<PathBuf>, Failure> {
 const PICKLES: [&str; 2] = ["pickle", "pkl"];
 
 /// Bodies of a file of labels.
-fn bodies(file: &Path, reading: &mut Reading) -> Result<Vec<LabelledBox>, Failure> {
+fn bodies(file: &Path, reading: &mut LabelCollector) -> Result<Vec<LabelledBox>, Failure> {
     let (text, calibration) = (text_of(file)?, calibration_of(file)?);
     let camera = Camera::of(&text_of(&calibration)?);
     let camera = camera.map_err(|error| reading.fault(calibration.display(), &error)).ok();
@@ -189,7 +189,7 @@ mod tests {
             std::fs::write(folder.path().join(part).join("00003.txt"), text).unwrap();
         }
         let place = folder.path().join("label_2");
-        let mut reading = Reading::of(axes);
+        let mut reading = LabelCollector::of(axes);
         let found = frames(&place, &FrameNames::of(&[], 1), &mut reading);
         let found = found.and_then(|frames| Ok((frames, reading.finish(&place)?)));
         let (frames, tells_bodies) = found.map_err(|failure| failure.to_string())?;

@@ -4,8 +4,8 @@
 
 use crate::training_sets::labels::frame_names::{FrameNames, name_of};
 use crate::training_sets::labels::json_rows::each_row;
+use crate::training_sets::labels::label_collector::{Label, LabelCollector};
 use crate::training_sets::labels::label_error::LabelError;
-use crate::training_sets::labels::reading::{Label, Reading};
 use crate::training_sets::labels::sensor_box::SensorBox;
 use evaluation::LabelledBox;
 use glam::{DQuat, DVec3};
@@ -32,7 +32,7 @@ pub(super) fn is_at(folder: &Path) -> bool {
 pub(super) fn frames(
     folder: &Path,
     names: &FrameNames,
-    reading: &mut Reading,
+    reading: &mut LabelCollector,
 ) -> Result<Vec<Option<Vec<LabelledBox>>>, Failure> {
     let mut clouds = BTreeMap::new();
     each_row(&table(folder, "sample_data"), |cloud: Cloud, _| {
@@ -126,7 +126,7 @@ impl Tables {
     }
 
     /// Bodies of a cloud's sample.
-    fn bodies(&self, cloud: &Cloud, reading: &mut Reading) -> Vec<LabelledBox> {
+    fn bodies(&self, cloud: &Cloud, reading: &mut LabelCollector) -> Vec<LabelledBox> {
         let place = table(&self.folder, "sample_data").display().to_string();
         let place = format!("{place}: {}", cloud.filename);
         let sensor = match self.sensor(cloud) {
@@ -229,7 +229,7 @@ fn instances(folder: &Path) -> Result<BTreeMap<String, (u32, String)>, Failure> 
 mod tests {
     use super::*;
     use crate::levelled_axes::{LevelledAxes, wrapped};
-    use crate::training_sets::nuscenes_tables::{Seen, Tables as Written};
+    use crate::training_sets::nuscenes_tables::{AnnotatedBody, Tables as Written};
     use crate::training_sets::test_body::bus;
     use crate::training_sets::truth_boxes::TruthBox;
     use serde_json::{Value, json};
@@ -246,7 +246,7 @@ mod tests {
             std::fs::write(table(folder.path(), name), rows.to_string()).unwrap();
         }
         assert!(is_at(folder.path()));
-        let mut reading = Reading::of(axes);
+        let mut reading = LabelCollector::of(axes);
         let found = super::frames(folder.path(), &FrameNames::of(&[], frames), &mut reading);
         let found = found.and_then(|frames| reading.finish(folder.path()).map(|_| frames));
         found.map(|frames| frames.into_iter().flatten().collect()).map_err(|failure| failure.to_string())
@@ -257,7 +257,7 @@ mod tests {
         let axes = LevelledAxes { origin_m: DVec3::new(1.0, 0.5, 6.0), yaw_rad: FRAC_PI_2 - 0.1 };
         let turned = || TruthBox { number: 4, yaw_rad: 2.3, ..bus() };
         let mut written = Written::of("street", &axes);
-        let seen = |body| Seen { body, points: 0 };
+        let seen = |body| AnnotatedBody { body, points: 0 };
         written.add(0.0, "samples/RADAR_FRONT/000000.pcd", vec![seen(bus()), seen(turned())]);
         written.add(0.1, "samples/RADAR_FRONT/000001.pcd", vec![]);
         written.add(0.2, "samples/RADAR_FRONT/000002.pcd", vec![seen(turned())]);

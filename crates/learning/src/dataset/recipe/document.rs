@@ -1,9 +1,9 @@
 //! Content of a recipe's file; its keys are in `docs/datasets.md`.
 
 use crate::dataset::recipe::keys;
-use crate::dataset::recipe::models::Choice;
+use crate::dataset::recipe::models::ModelChoice;
 use artifact::scene::SceneHeader;
-use scene::document::faults::Faults;
+use scene::document::diagnostics::Diagnostics;
 use scene::document::section::Section;
 use std::path::{Path, PathBuf};
 
@@ -29,7 +29,7 @@ pub(in crate::dataset) struct Document {
     pub(in crate::dataset) vehicles_per_scene: [u32; 2],
     pub(in crate::dataset) queue_share: f64,
     pub(in crate::dataset) crops: bool,
-    pub(super) models: Choice,
+    pub(super) models: ModelChoice,
 }
 
 /// A scene of which radar, noise, processing and fidelity are taken; its own targets are not used.
@@ -66,13 +66,13 @@ impl Document {
             vehicles_per_scene: root.or_default(&keys::VEHICLES_PER_SCENE).map(counts),
             queue_share: root.or_default(&keys::QUEUE_SHARE),
             crops: root.or_default(&keys::CROPS),
-            models: Choice::of(models),
+            models: ModelChoice::of(models),
         }
     }
 
     /// The content of another recipe's text; `None` if it breaks a rule.
     pub(super) fn of_text(text: &str) -> Option<Self> {
-        let faults = Faults::of_tables(Path::new(""), text, keys::TABLES);
+        let faults = Diagnostics::of_tables(Path::new(""), text, keys::TABLES);
         let document = faults.document();
         let root = Section::root(&document, &keys::RECIPE, &faults);
         let said = Self::of(&root, &root.section(&keys::MODELS));

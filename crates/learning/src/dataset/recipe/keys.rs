@@ -3,9 +3,11 @@
 
 use artifact::seed::SEEDS;
 use artifact::settings::Class;
-use scene::Allowed::{self, Above, Between};
-use scene::document::keys::key::{Key, Or, Table};
-use scene::document::keys::kinds::{Below, Counts, Number, Text, Texts, Truth, Vector, Whole, Wholes, Words};
+use scene::AllowedRange::{self, Above, Between};
+use scene::document::keys::key::{DefaultValue, Key, Table};
+use scene::document::keys::kinds::{
+    Boolean, Choice, Integer, IntegerVector, Integers, Number, Subtables, Text, Texts, Vector,
+};
 
 /// Scenes of a class: at a second a scene a week and a half.
 const SCENES_LIMIT: u32 = 1_000_000;
@@ -41,7 +43,7 @@ pub(super) const RECIPE: Table = Table {
         &VEHICLES_PER_SCENE,
         &QUEUE_SHARE,
         &CROPS,
-        &OF_MODELS,
+        &MODELS_KEY,
     ],
 };
 
@@ -53,15 +55,19 @@ pub(super) const SCENES: Key<Texts> = Key::new(
     "whose radars are drawn evenly, in place of `scene`",
 );
 
-pub(super) const SEED: Key<Whole> =
-    Key::new("seed", Whole(Between(0.0, *SEEDS.end() as f64)), "of every draw").required();
+pub(super) const SEED: Key<Integer> =
+    Key::new("seed", Integer(Between(0.0, *SEEDS.end() as f64)), "of every draw").required();
 
-pub(super) const SCENES_PER_CLASS: Key<Whole> =
-    Key::new("scenes_per_class", Whole(Between(1.0, SCENES_LIMIT as f64)), "drawn for each class").required();
+pub(super) const SCENES_PER_CLASS: Key<Integer> =
+    Key::new("scenes_per_class", Integer(Between(1.0, SCENES_LIMIT as f64)), "drawn for each class")
+        .required();
 
-pub(super) const SCENES_PER_SHARD: Key<Whole, Or<u64>> =
-    Key::new("scenes_per_shard", Whole(Between(1.0, u32::MAX as f64)), "what an interruption costs at most")
-        .or(64);
+pub(super) const SCENES_PER_SHARD: Key<Integer, DefaultValue<u64>> = Key::new(
+    "scenes_per_shard",
+    Integer(Between(1.0, u32::MAX as f64)),
+    "what an interruption costs at most",
+)
+.with_default(64);
 
 /// Distances up to those of a scene's targets.
 pub(super) const RANGE: Key<Vector<2>> =
@@ -72,24 +78,26 @@ pub(super) const SPEED: Key<Vector<2>> =
     Key::new("speed_mps", Vector(Between(0.0, 340.0)), "m/s: least and greatest speed").required();
 
 /// Lanes are numbered as far as a byte goes.
-const LANES_OF_ONE: Allowed = Between(1.0, 255.0);
+const LANES_OF_ONE: AllowedRange = Between(1.0, 255.0);
 
-pub(super) const LANES: Key<Wholes> =
-    Key::new("lanes", Wholes { length: LANES_OF_ONE, each: Between(0.0, 255.0) }, "drawn evenly").required();
+pub(super) const LANES: Key<Integers> =
+    Key::new("lanes", Integers { length: LANES_OF_ONE, each: Between(0.0, 255.0) }, "drawn evenly")
+        .required();
 
 /// Variants are seeds too.
-pub(super) const VEHICLE_SEEDS: Key<Whole, Or<u64>> = Key::new(
+pub(super) const VEHICLE_SEEDS: Key<Integer, DefaultValue<u64>> = Key::new(
     "vehicle_seeds",
-    Whole(Between(1.0, *SEEDS.end() as f64)),
+    Integer(Between(1.0, *SEEDS.end() as f64)),
     "number of variants of the project's own vehicles",
 )
-.or(1);
+.with_default(1);
 
-pub(super) const YAW: Key<Vector<2>, Or<[f64; 2]>> =
-    Key::new("yaw_deg", Vector(Between(-180.0, 180.0)), "degrees off the lane's direction").or([0.0; 2]);
+pub(super) const YAW: Key<Vector<2>, DefaultValue<[f64; 2]>> =
+    Key::new("yaw_deg", Vector(Between(-180.0, 180.0)), "degrees off the lane's direction")
+        .with_default([0.0; 2]);
 
-pub(super) const OFFSET: Key<Vector<2>, Or<[f64; 2]>> =
-    Key::new("offset_m", Vector(Between(-100.0, 100.0)), "m off the lane's middle").or([0.0; 2]);
+pub(super) const OFFSET: Key<Vector<2>, DefaultValue<[f64; 2]>> =
+    Key::new("offset_m", Vector(Between(-100.0, 100.0)), "m off the lane's middle").with_default([0.0; 2]);
 
 pub(super) const RADAR_HEIGHT: Key<Vector<2>> =
     Key::new("radar_height_m", Vector(Above(0.0, 1e3)), "m: least and greatest height of the radar");
@@ -97,28 +105,32 @@ pub(super) const RADAR_HEIGHT: Key<Vector<2>> =
 pub(super) const TILT: Key<Vector<2>> =
     Key::new("tilt_deg", Vector(Between(-90.0, 90.0)), "degrees: elevation of the boresight");
 
-pub(super) const EXTRA_NOISE: Key<Vector<2>, Or<[f64; 2]>> =
+pub(super) const EXTRA_NOISE: Key<Vector<2>, DefaultValue<[f64; 2]>> =
     Key::new("extra_noise_db", Vector(Between(-100.0, 100.0)), "dB more noise than the base scene's")
-        .or([0.0; 2]);
+        .with_default([0.0; 2]);
 
-pub(super) const FRAMES: Key<Whole, Or<u64>> =
-    Key::new("frames", Whole(Between(1.0, FRAMES_LIMIT as f64)), "of a scene").or(1);
+pub(super) const FRAMES: Key<Integer, DefaultValue<u64>> =
+    Key::new("frames", Integer(Between(1.0, FRAMES_LIMIT as f64)), "of a scene").with_default(1);
 
 pub(super) const FRAME_INTERVAL: Key<Number> =
     Key::new("frame_interval_s", Number(Above(0.0, 1e4)), "s, no less than a frame of the radar lasts");
 
-pub(super) const VEHICLES_PER_SCENE: Key<Counts<2>, Or<[u64; 2]>> =
-    Key::new("vehicles_per_scene", Counts(Between(1.0, VEHICLES_LIMIT as f64)), "least and greatest number")
-        .or([1; 2]);
+pub(super) const VEHICLES_PER_SCENE: Key<IntegerVector<2>, DefaultValue<[u64; 2]>> = Key::new(
+    "vehicles_per_scene",
+    IntegerVector(Between(1.0, VEHICLES_LIMIT as f64)),
+    "least and greatest number",
+)
+.with_default([1; 2]);
 
-pub(super) const QUEUE_SHARE: Key<Number, Or<f64>> =
-    Key::new("queue_share", Number(Between(0.0, 1.0)), "share of the scenes in which all queue").or(0.0);
+pub(super) const QUEUE_SHARE: Key<Number, DefaultValue<f64>> =
+    Key::new("queue_share", Number(Between(0.0, 1.0)), "share of the scenes in which all queue")
+        .with_default(0.0);
 
-pub(super) const CROPS: Key<Truth, Or<bool>> =
-    Key::new("crops", Truth, "whether crops are kept beside signatures").or(true);
+pub(super) const CROPS: Key<Boolean, DefaultValue<bool>> =
+    Key::new("crops", Boolean, "whether crops are kept beside signatures").with_default(true);
 
-pub(super) const OF_MODELS: Key<Below> =
-    Key::new("models", Below::one(&MODELS), "bodies of each class").required();
+pub(super) const MODELS_KEY: Key<Subtables> =
+    Key::new("models", Subtables::one(&MODELS), "bodies of each class").required();
 
 pub(super) const MODELS: Table = Table {
     name: "models",
@@ -147,11 +159,11 @@ pub(super) const MANIFEST: Table = Table {
     name: "",
     heading: "the beginning of the file",
     about: "Vehicles of a folder.",
-    keys: &[&OF_LISTED],
+    keys: &[&VEHICLE_KEY],
 };
 
-pub(super) const OF_LISTED: Key<Below> =
-    Key::new("vehicle", Below::several(&LISTED), "each of the vehicles").required();
+pub(super) const VEHICLE_KEY: Key<Subtables> =
+    Key::new("vehicle", Subtables::several(&LISTED), "each of the vehicles").required();
 
 pub(super) const LISTED: Table = Table {
     name: "vehicle",
@@ -163,8 +175,8 @@ pub(super) const LISTED: Table = Table {
 pub(super) const LISTED_NAME: Key<Text> =
     Key::new("name", Text("a name"), "of its `.glb` without the ending").required();
 
-pub(super) const LISTED_CLASS: Key<Words<Class>> =
-    Key::new("class", Words::CLASSES, "truth for the classifier").required();
+pub(super) const LISTED_CLASS: Key<Choice<Class>> =
+    Key::new("class", Choice::CLASSES, "truth for the classifier").required();
 
 #[cfg(test)]
 mod tests {

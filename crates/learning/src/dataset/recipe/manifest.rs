@@ -1,12 +1,14 @@
 //! `manifest.toml` of a folder of vehicles: the name and the class of each; the file may say more.
 
 use crate::dataset::recipe::error::RecipeError;
-use crate::dataset::recipe::keys::{LISTED, LISTED_CLASS, LISTED_NAME, MANIFEST, MANIFEST_TABLES, OF_LISTED};
+use crate::dataset::recipe::keys::{
+    LISTED, LISTED_CLASS, LISTED_NAME, MANIFEST, MANIFEST_TABLES, VEHICLE_KEY,
+};
 use artifact::bounded;
 use artifact::settings::Class;
 use pipeline::chain::loading;
 use pipeline::host::failure::Failure;
-use scene::document::faults::Faults;
+use scene::document::diagnostics::Diagnostics;
 use scene::document::section::Section;
 use std::path::Path;
 
@@ -15,37 +17,37 @@ const LIMIT_BYTES: u64 = 16 << 20;
 
 /// A vehicle that a manifest lists.
 #[derive(Debug, PartialEq)]
-pub(super) struct Listed {
+pub(super) struct ManifestVehicle {
     /// Name of its `.glb` without the ending.
     pub(super) name: String,
     pub(super) class: Class,
 }
 
 /// Reads the vehicles of a manifest; every rule that it breaks is told, not only the first.
-pub(super) fn read(file: &Path) -> Result<Vec<Listed>, Failure> {
+pub(super) fn read(file: &Path) -> Result<Vec<ManifestVehicle>, Failure> {
     let text = bounded::read_text(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
     of_text(file, &text)
 }
 
-fn of_text(file: &Path, text: &str) -> Result<Vec<Listed>, Failure> {
-    let faults = Faults::of_open_tables(file, text, MANIFEST_TABLES);
+fn of_text(file: &Path, text: &str) -> Result<Vec<ManifestVehicle>, Failure> {
+    let faults = Diagnostics::allowing_unknown_keys(file, text, MANIFEST_TABLES);
     let document = faults.document();
     let root = Section::root(&document, &MANIFEST, &faults);
-    root.require(OF_LISTED.name);
+    root.require(VEHICLE_KEY.name);
     let vehicles = root.sections(&LISTED).iter().filter_map(vehicle).collect();
     drop(root);
-    faults.into_errors().map_err(loading::of_scene)?;
+    faults.into_errors().map_err(loading::scene_failure)?;
     Ok(vehicles)
 }
 
-fn vehicle(listed: &Section<'_>) -> Option<Listed> {
+fn vehicle(listed: &Section<'_>) -> Option<ManifestVehicle> {
     listed.require(LISTED_NAME.name);
     listed.require(LISTED_CLASS.name);
     let (name, class) = (listed.read(&LISTED_NAME), listed.read(&LISTED_CLASS));
     if let Some(other) = name.filter(|name| !is_of_a_file(name)) {
         listed.note(LISTED_NAME.name, RecipeError::NameOfNoFile { name: other.to_owned() }.into());
     }
-    Some(Listed { name: name?.to_owned(), class: class? })
+    Some(ManifestVehicle { name: name?.to_owned(), class: class? })
 }
 
 /// Whether it is the name of a file alone, which leads nowhere else.
@@ -62,7 +64,7 @@ mod tests {
         let text = "made_by = \"us\"\n[[vehicle]]\nname = \"a\"\nclass = \"car\"\nclasses = 4\n\
                     length_m = 4.2\n[[vehicle.part]]\nname = 3\n";
         let found = of_text(Path::new("m.toml"), text).unwrap();
-        assert_eq!(found, [Listed { name: "a".into(), class: Class::Car }]);
+        assert_eq!(found, [ManifestVehicle { name: "a".into(), class: Class::Car }]);
     }
 
     #[test]

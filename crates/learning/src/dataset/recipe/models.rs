@@ -3,7 +3,7 @@
 
 use crate::dataset::recipe::error::RecipeError;
 use crate::dataset::recipe::keys;
-use crate::dataset::recipe::manifest::{self, Listed};
+use crate::dataset::recipe::manifest::{self, ManifestVehicle};
 use artifact::material::MaterialMap;
 use artifact::scene::{Mesh, SceneHeader};
 use artifact::settings::Class;
@@ -18,14 +18,14 @@ use std::slice;
 
 /// Content of the recipe's table `[models]`.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Choice {
+pub(super) struct ModelChoice {
     /// A folder with a manifest.
     vehicles: Option<PathBuf>,
     /// Words for each class that is named.
     by_class: BTreeMap<Class, Vec<String>>,
 }
 
-impl Choice {
+impl ModelChoice {
     /// The table's content; unknown keys and wrong types are noted.
     pub(super) fn of(models: &Section<'_>) -> Self {
         let words = |class: Class| {
@@ -54,10 +54,10 @@ pub(in crate::dataset) struct Model {
 enum Source {
     /// One of the project's vehicles.
     Own,
-    File(Box<OfFile>),
+    File(Box<FileModel>),
 }
 
-struct OfFile {
+struct FileModel {
     mesh: Mesh,
     /// Each base scene's materials, with the file's own.
     materials: Vec<MaterialMap>,
@@ -73,30 +73,30 @@ impl Model {
     pub(in crate::dataset) fn mesh(&self, variant: u64, base: usize, header: &SceneHeader) -> Mesh {
         let (mesh, map) = match &self.source {
             Source::Own => (vehicles::mesh(&self.name, variant).unwrap_or_default(), &header.materials),
-            Source::File(of_file) => (of_file.mesh.clone(), &of_file.materials[base]),
+            Source::File(file_model) => (file_model.mesh.clone(), &file_model.materials[base]),
         };
-        Mesh { makeup: map.makeup(&mesh.materials), ..mesh }
+        Mesh { makeup: map.mesh_materials(&mesh.materials), ..mesh }
     }
 }
 
 /// Names and files of models; an own vehicle has no file.
-pub(super) type Named = BTreeMap<Class, Vec<(String, Option<PathBuf>)>>;
+pub(super) type ModelFiles = BTreeMap<Class, Vec<(String, Option<PathBuf>)>>;
 
 /// Vehicles listed by the folder's manifest; its file and hash are added to `inputs`.
 pub(super) fn listed(
-    choice: &Choice,
+    choice: &ModelChoice,
     recipe: &Path,
     inputs: &mut Vec<(String, String)>,
-) -> Result<Named, Failure> {
-    let mut all = Named::new();
+) -> Result<ModelFiles, Failure> {
+    let mut all = ModelFiles::new();
     let Some(vehicles) = &choice.vehicles else { return Ok(all) };
     let folder = recipe.parent().unwrap_or(Path::new("."));
     let manifest = folder.join(vehicles).join("manifest.toml");
     let read = || manifest::read(&manifest);
     let (listed, hashed) =
-        loading::read_of(slice::from_ref(&manifest), read).map_err(|failure| failure.named_in(recipe))?;
+        loading::read_hashed(slice::from_ref(&manifest), read).map_err(|failure| failure.named_in(recipe))?;
     inputs.extend(hashed);
-    for Listed { name, class } in listed {
+    for ManifestVehicle { name, class } in listed {
         let file = manifest.with_file_name(format!("{name}.glb"));
         all.entry(class).or_default().push((name, Some(file)));
     }
@@ -105,7 +105,12 @@ pub(super) fn listed(
 
 /// All models of each class, those that a manifest lists and then those of the recipe in its order; noted is
 /// what names none, and what a split could not part.
-pub(super) fn named(choice: &Choice, listed: Named, folder: &Path, models: &Section<'_>) -> Named {
+pub(super) fn named(
+    choice: &ModelChoice,
+    listed: ModelFiles,
+    folder: &Path,
+    models: &Section<'_>,
+) -> ModelFiles {
     let mut all = listed;
     for (class, written) in &choice.by_class {
         let of_class = all.entry(*class).or_default();
@@ -125,7 +130,7 @@ pub(super) fn named(choice: &Choice, listed: Named, folder: &Path, models: &Sect
 
 /// The models, opened; `inputs` gets the files that they were read from, with hashes.
 pub(super) fn read(
-    named: Named,
+    named: ModelFiles,
     bases: &[&SceneHeader],
     inputs: &mut Vec<(String, String)>,
 ) -> Result<BTreeMap<Class, Vec<Model>>, Failure> {
@@ -197,7 +202,7 @@ fn stem(file: &Path) -> String {
 }
 
 /// Notes names of two models, for splits may go by names.
-fn check_names(all: &Named, models: &Section<'_>) {
+fn check_names(all: &ModelFiles, models: &Section<'_>) {
     let mut known: BTreeMap<&String, (Class, &Option<PathBuf>)> = BTreeMap::new();
     for (class, (name, file)) in all.iter().flat_map(|(class, of)| of.iter().map(|named| (*class, named))) {
         let first = *known.entry(name).or_insert((class, file));
@@ -217,17 +222,17 @@ fn model(
     let Some(file) = file else { return Ok(Model { name, source: Source::Own }) };
     let of_base = |mesh: &Mesh, base: &SceneHeader| {
         let frequency_hz = base.radar.waveform.centre_frequency_hz();
-        asset_materials(&file, &mesh.materials, &base.materials, frequency_hz).map_err(loading::of_asset)
+        asset_materials(&file, &mesh.materials, &base.materials, frequency_hz).map_err(loading::asset_failure)
     };
     let read = || {
-        let mesh = read_mesh(&file, &MeshOptions { unit_scale: None }).map_err(loading::of_mesh)?;
+        let mesh = read_mesh(&file, &MeshOptions { unit_scale: None }).map_err(loading::mesh_failure)?;
         let materials = bases.iter().map(|base| of_base(&mesh, base)).collect::<Result<_, Failure>>()?;
         Ok((mesh, materials))
     };
-    let ((mesh, materials), hashed) = loading::read_of(&mesh::files(&file), read)?;
+    let ((mesh, materials), hashed) = loading::read_hashed(&mesh::files(&file), read)?;
     inputs.extend(hashed);
-    let of_file = OfFile { mesh: centred(mesh), materials };
-    Ok(Model { name, source: Source::File(Box::new(of_file)) })
+    let file_model = FileModel { mesh: centred(mesh), materials };
+    Ok(Model { name, source: Source::File(Box::new(file_model)) })
 }
 
 #[cfg(test)]

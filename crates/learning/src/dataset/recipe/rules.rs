@@ -11,8 +11,8 @@ use scene::document::section::Section;
 pub(in crate::dataset) const NEAREST_ALONG_M: f64 = 1.0;
 
 /// Notes every rule that the recipe breaks by itself.
-pub(super) fn check_alone(root: &Section<'_>, asked: &Document) {
-    check_spans(root, asked);
+pub(super) fn check_alone(root: &Section<'_>, document: &Document) {
+    check_spans(root, document);
     match (root.has(keys::SCENE.name), root.has(keys::SCENES.name)) {
         (true, true) => root.note(keys::SCENES.name, RecipeError::BaseScenesTwice.into()),
         (false, false) => root.note(keys::SCENE.name, RecipeError::NoBaseScene.into()),
@@ -20,16 +20,16 @@ pub(super) fn check_alone(root: &Section<'_>, asked: &Document) {
     }
 }
 
-fn check_spans(root: &Section<'_>, asked: &Document) {
+fn check_spans(root: &Section<'_>, document: &Document) {
     let spans = [
-        (keys::RANGE.name, Some(asked.range_m)),
-        (keys::SPEED.name, Some(asked.speed_mps)),
-        (keys::YAW.name, Some(asked.yaw_deg)),
-        (keys::OFFSET.name, Some(asked.offset_m)),
-        (keys::RADAR_HEIGHT.name, asked.radar_height_m),
-        (keys::TILT.name, asked.tilt_deg),
-        (keys::EXTRA_NOISE.name, Some(asked.extra_noise_db)),
-        (keys::VEHICLES_PER_SCENE.name, Some(asked.vehicles_per_scene.map(f64::from))),
+        (keys::RANGE.name, Some(document.range_m)),
+        (keys::SPEED.name, Some(document.speed_mps)),
+        (keys::YAW.name, Some(document.yaw_deg)),
+        (keys::OFFSET.name, Some(document.offset_m)),
+        (keys::RADAR_HEIGHT.name, document.radar_height_m),
+        (keys::TILT.name, document.tilt_deg),
+        (keys::EXTRA_NOISE.name, Some(document.extra_noise_db)),
+        (keys::VEHICLES_PER_SCENE.name, Some(document.vehicles_per_scene.map(f64::from))),
     ];
     for (key, found) in spans.into_iter().filter_map(|(key, span)| Some((key, span?))) {
         if found[1] < found[0] {
@@ -39,43 +39,43 @@ fn check_spans(root: &Section<'_>, asked: &Document) {
 }
 
 /// Notes every rule that the recipe breaks before this base scene.
-pub(super) fn check_before(root: &Section<'_>, asked: &Document, Base { name, header }: &Base) {
-    check_lanes(root, asked, name, header);
-    if header.noise == Noise::Absent && asked.extra_noise_db != [0.0; 2] {
+pub(super) fn check_before(root: &Section<'_>, document: &Document, Base { name, header }: &Base) {
+    check_lanes(root, document, name, header);
+    if header.noise == Noise::Absent && document.extra_noise_db != [0.0; 2] {
         root.note(keys::EXTRA_NOISE.name, RecipeError::NoNoise { scene: name.clone() }.into());
     }
     let cycle_s = header.radar.cycle_duration_s();
-    if let Some(found_s) = asked.frame_interval_s.filter(|interval_s| *interval_s < cycle_s) {
+    if let Some(found_s) = document.frame_interval_s.filter(|interval_s| *interval_s < cycle_s) {
         let broken = RecipeError::FrameInterval { scene: name.clone(), cycle_s, found_s };
         root.note(keys::FRAME_INTERVAL.name, broken.into());
     }
 }
 
-fn check_lanes(root: &Section<'_>, asked: &Document, name: &str, header: &SceneHeader) {
+fn check_lanes(root: &Section<'_>, document: &Document, name: &str, header: &SceneHeader) {
     let is_known = |lane: &u8| header.dsp.road.lanes.iter().any(|l| l.number == *lane);
-    let unknown = asked.lanes.iter().position(|lane| !is_known(lane));
+    let unknown = document.lanes.iter().position(|lane| !is_known(lane));
     if let Some(number) = unknown {
         let known = header.dsp.road.lanes.iter().map(|lane| lane.number).collect();
-        let broken = RecipeError::Lane { scene: name.to_owned(), found: asked.lanes[number], known };
+        let broken = RecipeError::Lane { scene: name.to_owned(), found: document.lanes[number], known };
         root.note_element(keys::LANES.name, number, broken.into());
         return;
     }
-    let (least_m, [_, found_m]) = (least_range_m(asked, header), asked.range_m);
-    if !asked.lanes.is_empty() && found_m < least_m {
+    let (least_m, [_, found_m]) = (least_range_m(document, header), document.range_m);
+    if !document.lanes.is_empty() && found_m < least_m {
         root.note(keys::RANGE.name, RecipeError::TooNear { scene: name.to_owned(), least_m, found_m }.into());
     }
 }
 
 /// Least slant range of a vehicle in the recipe's lanes: from the distance across the road, the lowest height
 /// of the radar, and [`NEAREST_ALONG_M`].
-fn least_range_m(asked: &Document, header: &SceneHeader) -> f64 {
+fn least_range_m(document: &Document, header: &SceneHeader) -> f64 {
     let (road, [x_m, y_m, z_m]) = (&header.dsp.road, header.radar.position_m);
     let [radar_across_m, _] = road.across_along_m([x_m, y_m, z_m]);
-    let lanes = road.lanes.iter().filter(|lane| asked.lanes.contains(&lane.number));
+    let lanes = road.lanes.iter().filter(|lane| document.lanes.contains(&lane.number));
     let aside_m = lanes.map(|lane| {
-        let [low_m, high_m] = asked.offset_m.map(|offset_m| lane.centre_m + offset_m - radar_across_m);
+        let [low_m, high_m] = document.offset_m.map(|offset_m| lane.centre_m + offset_m - radar_across_m);
         low_m.max(-high_m).max(0.0)
     });
-    let up_m = asked.radar_height_m.map_or(z_m, |[least_m, _]| least_m);
+    let up_m = document.radar_height_m.map_or(z_m, |[least_m, _]| least_m);
     aside_m.fold(f64::INFINITY, f64::min).hypot(up_m).hypot(NEAREST_ALONG_M)
 }

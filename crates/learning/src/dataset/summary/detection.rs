@@ -14,16 +14,16 @@ const BOUNDS_M: [f64; 5] = [25.0, 35.0, 45.0, 60.0, 100.0];
 /// A row for each class, lane and range with a vehicle, and one for all; vehicles are added one after the
 /// other.
 #[derive(Default)]
-pub(super) struct DetectionTable(BTreeMap<Counted, VehicleRow>);
+pub(super) struct DetectionTable(BTreeMap<VehicleGroup, VehicleRow>);
 
 /// Group of vehicles in a row, in the order of the rows.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Counted {
+enum VehicleGroup {
     /// The class of this index in [`Class::ALL`].
     OfClass(usize),
     InLane(u8),
     /// Vehicles beyond the given number of [`BOUNDS_M`].
-    Beyond(usize),
+    BeyondRange(usize),
     All,
 }
 
@@ -41,28 +41,28 @@ struct VehicleRow {
 impl DetectionTable {
     /// Adds a vehicle.
     pub(super) fn add(&mut self, vehicle: &VehicleLine) {
-        Counted::those_with(vehicle).for_each(|counted| self.0.entry(counted).or_default().add(vehicle));
+        VehicleGroup::those_with(vehicle).for_each(|group| self.0.entry(group).or_default().add(vehicle));
     }
 
     /// Number of detected vehicles, and of all.
     pub(super) fn found_of_all(&self) -> (usize, usize) {
-        self.0.get(&Counted::All).map_or((0, 0), |all| (all.found, all.vehicles))
+        self.0.get(&VehicleGroup::All).map_or((0, 0), |all| (all.found, all.vehicles))
     }
 
     /// The table as Markdown.
     pub(super) fn markdown(&self) -> String {
-        let rows = self.0.iter().map(|(counted, row)| row.markdown(&counted.name()));
+        let rows = self.0.iter().map(|(group, row)| row.markdown(&group.name()));
         format!("{HEAD}{}", rows.collect::<String>())
     }
 }
 
-impl Counted {
+impl VehicleGroup {
     /// Rows that count a vehicle.
     fn those_with(vehicle: &VehicleLine) -> impl Iterator<Item = Self> {
         let class = Class::ALL.iter().position(|class| vehicle.class == class.name());
         let beyond = |range_m: f64| BOUNDS_M.iter().filter(|bound_m| **bound_m <= range_m).count();
         let bound = vehicle.range_m.map(beyond);
-        let rows = [class.map(Self::OfClass), vehicle.lane.map(Self::InLane), bound.map(Self::Beyond)];
+        let rows = [class.map(Self::OfClass), vehicle.lane.map(Self::InLane), bound.map(Self::BeyondRange)];
         rows.into_iter().flatten().chain([Self::All])
     }
 
@@ -70,8 +70,8 @@ impl Counted {
         match self {
             Self::OfClass(class) => Class::ALL[class].name().to_owned(),
             Self::InLane(lane) => format!("lane {lane}"),
-            Self::Beyond(0) => format!("under {} m", BOUNDS_M[0]),
-            Self::Beyond(bounds) => BOUNDS_M.get(bounds).map_or_else(
+            Self::BeyondRange(0) => format!("under {} m", BOUNDS_M[0]),
+            Self::BeyondRange(bounds) => BOUNDS_M.get(bounds).map_or_else(
                 || format!("from {} m", BOUNDS_M[bounds - 1]),
                 |far_m| format!("{}–{far_m} m", BOUNDS_M[bounds - 1]),
             ),

@@ -4,10 +4,10 @@
 //! of a cache: caches of earlier versions have no mark and hold nothing else. It gets its mark with the next
 //! file. Every other folder is refused, so that a mistyped `--cache` never mixes entries into a user's files.
 
-use crate::chain::cache::own_files::{self, MARK};
+use crate::chain::cache::cache_files::{self, MARK};
 use crate::host::failure::Failure;
 use artifact::ArtifactError;
-use artifact::whole_file::{self, Durability};
+use artifact::atomic_file::{self, Durability};
 use std::io::{ErrorKind, Read};
 use std::path::Path;
 
@@ -28,7 +28,7 @@ pub(super) fn check(root: &Path) -> Result<(), Failure> {
         return Ok(());
     }
     std::fs::read_dir(root).map_err(|e| Failure::system(root, "read", e))?;
-    match own_files::of(root).foreign {
+    match cache_files::list(root).foreign {
         None => Ok(()),
         Some(foreign) => {
             let foreign = foreign.strip_prefix(root).unwrap_or(&foreign);
@@ -58,5 +58,5 @@ pub(super) fn set(root: &Path) -> Result<(), ArtifactError> {
     if is_set(root) {
         return Ok(());
     }
-    whole_file::write(&root.join(MARK), format!("{SIGNATURE}{REST}").as_bytes(), Durability::InCache)
+    atomic_file::write(&root.join(MARK), format!("{SIGNATURE}{REST}").as_bytes(), Durability::InCache)
 }

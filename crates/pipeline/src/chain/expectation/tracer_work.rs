@@ -2,7 +2,7 @@
 
 use crate::chain::cache::Cache;
 use crate::chain::expectation::work::{WorkCounts, WorkKind};
-use crate::chain::expected_work::Look;
+use crate::chain::expected_work::ScaledWork;
 use crate::chain::link::Chain;
 use crate::chain::plan::FramePlan;
 use crate::chain::stages::Stage;
@@ -24,31 +24,31 @@ pub(super) fn add(
             paths.push(0.0);
             continue;
         }
-        let look = chain.look(plan.index)?;
-        paths.push(look.cells * look.work.largest_cells);
+        let scaled = chain.scaled_work(plan.index)?;
+        paths.push(scaled.cells * scaled.work.largest_cells);
         // Frames whose bodies have the poses of an earlier one find its paths in the cache.
         let is_known =
             cache.is_some() && plans[..number].iter().any(|p| p.keys.bart_rcs == plan.keys.bart_rcs);
         if plan.runs(Stage::BartRcs) && !is_known {
-            add_frame(chain.header, plan.index, &look, work);
+            add_frame(chain.header, plan.index, &scaled, work);
         }
     }
     Ok(paths)
 }
 
-fn add_frame(header: &SceneHeader, index: u32, look: &Look, work: &mut WorkCounts) {
+fn add_frame(header: &SceneHeader, index: u32, scaled: &ScaledWork, work: &mut WorkCounts) {
     if header.fidelity.echo == EchoMode::RcsTable {
-        add_beams(header, look, 3.0, work);
-        work.add(WorkKind::TableTiles, look.facets * (look.work.tiles[0] + look.work.tiles[1]));
+        add_beams(header, scaled, 3.0, work);
+        work.add(WorkKind::TableTiles, scaled.facets * (scaled.work.tiles[0] + scaled.work.tiles[1]));
         if header.fidelity.edges != Edges::Ignored {
-            let beams = look.facets * (look.work.beams[0] + look.work.beams[1]);
+            let beams = scaled.facets * (scaled.work.beams[0] + scaled.work.beams[1]);
             work.add(WorkKind::EdgeBeams, TABLE_SUMS * beams);
         }
     } else if header.measured_in(index) == index {
-        add_measured(header, look, work);
-        add_places(header, index, look, work);
+        add_measured(header, scaled, work);
+        add_places(header, index, scaled, work);
     } else {
-        add_like(header, look, work);
+        add_like(header, scaled, work);
     }
 }
 
@@ -58,37 +58,40 @@ const TABLE_SUMS: f64 = 12.0;
 
 /// Adds the tracing of a frame whose errors are measured: two moments, and integrals compared with finer
 /// ones.
-fn add_measured(header: &SceneHeader, look: &Look, work: &mut WorkCounts) {
-    add_beams(header, look, 2.0, work);
-    add_tiles(header, look, work);
-    let fine = look.work.fine_tiles.map(|tiles| look.facets * tiles);
-    let long = (look.facets * look.work.long_tiles).min(fine[0] + fine[1]);
+fn add_measured(header: &SceneHeader, scaled: &ScaledWork, work: &mut WorkCounts) {
+    add_beams(header, scaled, 2.0, work);
+    add_tiles(header, scaled, work);
+    let fine = scaled.work.fine_tiles.map(|tiles| scaled.facets * tiles);
+    let long = (scaled.facets * scaled.work.long_tiles).min(fine[0] + fine[1]);
     let short_share = 1.0 - long / (fine[0] + fine[1]).max(f64::MIN_POSITIVE);
     work.add(WorkKind::FineTiles, short_share * fine[0]);
     work.add(WorkKind::LaterFineTiles, short_share * fine[1]);
     add_skins(header, fine[0] + fine[1], work);
     work.add(WorkKind::LongTiles, long);
-    work.add(WorkKind::MeasuredCells, look.cells * look.work.smaller_cells);
-    work.add(WorkKind::Cells, look.cells * look.work.largest_cells);
-    work.add(WorkKind::WideCells, look.cells * look.work.smaller_cells * bart_rcs::element_offset_m(header));
-    add_sliding(look, work);
+    work.add(WorkKind::MeasuredCells, scaled.cells * scaled.work.smaller_cells);
+    work.add(WorkKind::Cells, scaled.cells * scaled.work.largest_cells);
+    work.add(
+        WorkKind::WideCells,
+        scaled.cells * scaled.work.smaller_cells * bart_rcs::element_offset_m(header),
+    );
+    add_sliding(scaled, work);
 }
 
 /// Adds the places at which a frame before a wide array is traced beside its middle and one check: beams of a
 /// transmitter and a receiver at each place; at the row's nodes only the paths that change are traced.
-fn add_places(header: &SceneHeader, index: u32, look: &Look, work: &mut WorkCounts) {
+fn add_places(header: &SceneHeader, index: u32, scaled: &ScaledWork, work: &mut WorkCounts) {
     let away_m = bart_rcs::element_offset_m(header);
     if away_m < WIDE_M {
         return;
     }
-    add_beams(header, look, CHECK_ENDS, work);
+    add_beams(header, scaled, CHECK_ENDS, work);
     if header.fidelity.accuracy.db() > MET_WITHOUT_DB || !outlines_slide(header, index, away_m) {
         return;
     }
     let ways = LOOKED_AT + CHANGING * NODES;
-    add_beams(header, look, 2.0 * ways, work);
+    add_beams(header, scaled, 2.0 * ways, work);
     // Smaller cells do not follow outlines that slide from element to element, so trying them is in vain.
-    work.add(WorkKind::Cells, look.cells * look.work.largest_cells * ways);
+    work.add(WorkKind::Cells, scaled.cells * scaled.work.largest_cells * ways);
 }
 
 /// Whether the outlines of some body slide by a wavelength or more between the array's middle and an element
@@ -120,25 +123,25 @@ const NODES: f64 = 3.0;
 const CHANGING: f64 = 0.5;
 
 /// Adds the tracing of a frame that takes errors over: one moment and its paths.
-fn add_like(header: &SceneHeader, look: &Look, work: &mut WorkCounts) {
-    add_beams(header, look, 1.0, work);
-    add_tiles(header, look, work);
-    work.add(WorkKind::Cells, look.cells * look.work.largest_cells);
-    add_sliding(look, work);
+fn add_like(header: &SceneHeader, scaled: &ScaledWork, work: &mut WorkCounts) {
+    add_beams(header, scaled, 1.0, work);
+    add_tiles(header, scaled, work);
+    work.add(WorkKind::Cells, scaled.cells * scaled.work.largest_cells);
+    add_sliding(scaled, work);
 }
 
 /// Adds the moments at which paths between bodies in relative motion are traced: as many in a frame that
 /// takes errors over.
-fn add_sliding(look: &Look, work: &mut WorkCounts) {
-    work.add(WorkKind::SlidingBeams, look.facets * look.work.sliding_beams);
-    work.add(WorkKind::SlidingTiles, look.facets * look.work.sliding_tiles);
-    work.add(WorkKind::MovingBeams, look.facets * look.work.moving_beams);
-    work.add(WorkKind::MovingTiles, look.facets * look.work.moving_tiles);
-    work.add(WorkKind::MovingCells, look.cells * look.work.moving_cells);
+fn add_sliding(scaled: &ScaledWork, work: &mut WorkCounts) {
+    work.add(WorkKind::SlidingBeams, scaled.facets * scaled.work.sliding_beams);
+    work.add(WorkKind::SlidingTiles, scaled.facets * scaled.work.sliding_tiles);
+    work.add(WorkKind::MovingBeams, scaled.facets * scaled.work.moving_beams);
+    work.add(WorkKind::MovingTiles, scaled.facets * scaled.work.moving_tiles);
+    work.add(WorkKind::MovingCells, scaled.cells * scaled.work.moving_cells);
 }
 
-fn add_tiles(header: &SceneHeader, look: &Look, work: &mut WorkCounts) {
-    let tiles = look.work.tiles.map(|tiles| look.facets * tiles);
+fn add_tiles(header: &SceneHeader, scaled: &ScaledWork, work: &mut WorkCounts) {
+    let tiles = scaled.work.tiles.map(|tiles| scaled.facets * tiles);
     work.add(WorkKind::Tiles, tiles[0]);
     work.add(WorkKind::LaterTiles, tiles[1]);
     add_skins(header, tiles[0] + tiles[1], work);
@@ -146,7 +149,7 @@ fn add_tiles(header: &SceneHeader, look: &Look, work: &mut WorkCounts) {
 
 /// Adds the additional cost of tiles on bodies that are not conductors, and on curved skins.
 fn add_skins(header: &SceneHeader, tiles: f64, work: &mut WorkCounts) {
-    if header.meshes.iter().any(|mesh| !mesh.makeup.conducts_all_over()) {
+    if header.meshes.iter().any(|mesh| !mesh.makeup.is_perfect_conductor()) {
         work.add(WorkKind::LossyTiles, tiles);
     }
     if header.fidelity.surface == Surface::Smooth {
@@ -156,7 +159,7 @@ fn add_skins(header: &SceneHeader, tiles: f64, work: &mut WorkCounts) {
 
 fn add_beams(
     header: &SceneHeader,
-    Look { work: of, facets, .. }: &Look,
+    ScaledWork { work: of, facets, .. }: &ScaledWork,
     moments: f64,
     work: &mut WorkCounts,
 ) {
@@ -204,7 +207,7 @@ mod tests {
     }
 
     /// A frame of one facet and polygon, of one large cell or of nine smaller ones.
-    fn look() -> Look {
+    fn scaled() -> ScaledWork {
         let work = ExpectedWork {
             facets: 1.0,
             beams: [1.0, 0.0],
@@ -212,12 +215,12 @@ mod tests {
             smaller_cells: 9.0,
             ..ExpectedWork::default()
         };
-        Look { work, facets: 1.0, cells: 1.0 }
+        ScaledWork { work, facets: 1.0, cells: 1.0 }
     }
 
     fn counted(header: &SceneHeader, kind: WorkKind) -> f64 {
         let mut work = WorkCounts::NONE;
-        add_frame(header, 0, &look(), &mut work);
+        add_frame(header, 0, &scaled(), &mut work);
         work.0[kind as usize]
     }
 
@@ -234,9 +237,9 @@ mod tests {
     #[test]
     fn a_tile_of_a_long_polygon_is_counted_once() {
         let header = wall_before_192_channels(15.0);
-        let work = ExpectedWork { fine_tiles: [30.0, 10.0], long_tiles: 20.0, ..look().work };
+        let work = ExpectedWork { fine_tiles: [30.0, 10.0], long_tiles: 20.0, ..scaled().work };
         let mut counts = WorkCounts::NONE;
-        add_measured(&header, &Look { work, facets: 1.0, cells: 1.0 }, &mut counts);
+        add_measured(&header, &ScaledWork { work, facets: 1.0, cells: 1.0 }, &mut counts);
         let of = |kind: WorkKind| counts.0[kind as usize];
         assert_eq!(of(WorkKind::LongTiles), 20.0);
         assert_eq!([of(WorkKind::FineTiles), of(WorkKind::LaterFineTiles)], [15.0, 5.0]);

@@ -24,7 +24,7 @@ impl<T> Step<T> {
 pub(super) struct StageFrames<'a> {
     pub(super) cache: Option<&'a Cache>,
     /// Last stage whose frames are read from and written to the cache.
-    pub(super) kept_to: Stage,
+    pub(super) cached_to: Stage,
     /// Name of the scene.
     pub(super) scene: &'a str,
 }
@@ -40,7 +40,7 @@ impl StageFrames<'_> {
     ) -> Result<Step<S::Frame>, Failure> {
         // The lookup is repeated even if the plan found nothing: an equal frame of this run may have stored
         // it since.
-        let cache = self.cache.filter(|_| stage <= self.kept_to);
+        let cache = self.cache.filter(|_| stage <= self.cached_to);
         if let Some(value) = cache.and_then(|cache| cache.get::<S>(stage, key)) {
             return Ok(Step { value, cached: true });
         }

@@ -15,12 +15,12 @@ thread_local! {
 
 impl Caller {
     /// A new caller, whose work is separate from that of all others.
-    pub fn another() -> Self {
+    pub fn new() -> Self {
         Self(CALLERS.fetch_add(1, Ordering::Relaxed))
     }
 
     /// The caller that this thread works for.
-    pub fn here() -> Self {
+    pub fn current() -> Self {
         HERE.get()
     }
 

@@ -9,7 +9,7 @@ use crate::outcome::false_objects::{self, FalseObject};
 use crate::outcome::summary::targets::{ClutterSummary, TargetSummary};
 use crate::outcome::summary::tracks::TrackSummary;
 use crate::outcome::summary::words::DetailWord;
-use crate::outcome::verdict::{AccuracyVerdict, Asking, Verdict};
+use crate::outcome::verdict::{AccuracyVerdict, RequestSource, Verdict};
 use crate::planning::plan_figures::PlanFigures;
 use artifact::paths::{self, PathsFrame};
 use artifact::points::PointsFrame;
@@ -133,9 +133,9 @@ impl FrameSummary {
             velocity_resolved: !points.objects.is_empty()
                 && points.objects.iter().all(|o| o.velocity_resolved),
             accuracy: Verdict::of_paths(&header.fidelity, &result.error, paths)
-                .beside(&result.model_error)
-                .in_plan(plan)
-                .told(Asking::Scene),
+                .with_model_error(&result.model_error)
+                .with_plan(plan)
+                .for_summary(RequestSource::Scene),
             error_db: ErrorFigures::of(&result.error),
             error_measured_in,
             model_error_db: ModelErrorFigures::of(&result.model_error),
@@ -144,9 +144,9 @@ impl FrameSummary {
             peak_memory_mib: peak_mib(),
             targets,
             clutter: clutter.collect(),
-            false_objects: false_objects::told(header, result, truth),
+            false_objects: false_objects::moving(header, result, truth),
             stationary_points: stationary_points(header, points),
-            stationary_objects: false_objects::standing(header, result, truth),
+            stationary_objects: false_objects::stationary(header, result, truth),
             tracks,
         }
     }

@@ -4,7 +4,7 @@ use crate::outcome::summary::words::SamplingWord;
 use artifact::radar::{ElementError, Sampling};
 use artifact::scene::SceneHeader;
 use artifact::settings::Noise;
-use radar::lattice::tells_azimuth;
+use radar::lattice::resolves_azimuth;
 use serde::{Deserialize, Serialize};
 
 /// Parameters of the radar in standard terms.
@@ -93,7 +93,7 @@ impl RadarSummary {
             sampling: waveform.sampling,
             chirps: waveform.chirps,
             channels: radar.virtual_channels(),
-            tells_azimuth: tells_azimuth(radar),
+            tells_azimuth: resolves_azimuth(radar),
             has_noise: header.noise != Noise::Absent,
             element_errors: ElementErrors::of(header),
             range_resolution_m: waveform.range_resolution_m(),
@@ -107,7 +107,7 @@ impl RadarSummary {
 
 impl ElementErrors {
     fn of(header: &SceneHeader) -> Option<Self> {
-        let hardware = fmcw_echo::element_errors::drawn(&header.radar, header.seed).hardware;
+        let hardware = fmcw_echo::element_errors::with_drawn_errors(&header.radar, header.seed).hardware;
         let of = |errors: &[ElementError]| errors.iter().map(ElementErrorSummary::of).collect::<Vec<_>>();
         let all = Self { tx: of(&hardware.tx), rx: of(&hardware.rx) };
         (!all.tx.is_empty() || !all.rx.is_empty()).then_some(all)

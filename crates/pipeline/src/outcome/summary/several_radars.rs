@@ -15,7 +15,7 @@ pub struct RadarsSummary {
     /// Name of the scene.
     pub scene: String,
     /// Totals of each radar, in the scene's order.
-    pub radars: Vec<OneOfRadars>,
+    pub radars: Vec<RadarEntry>,
     /// Common frames in order, one for each time at which frames of all radars begin together
     /// ([`common_times_s`]).
     pub frames: Vec<CommonFrame>,
@@ -23,7 +23,7 @@ pub struct RadarsSummary {
 
 /// Totals of one of several radars over all of its frames.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-pub struct OneOfRadars {
+pub struct RadarEntry {
     /// Id of the radar in the scene.
     pub id: String,
     /// Seed of the radar's noise.
@@ -86,7 +86,7 @@ impl RadarsSummary {
             radars.iter().map(|(id, summary)| (*id, &summary.frames[..])).collect();
         Self {
             scene: scene.rsplit_once('/').map_or(scene, |(scene, _)| scene).to_owned(),
-            radars: radars.iter().map(|(id, summary)| OneOfRadars::of(id, summary)).collect(),
+            radars: radars.iter().map(|(id, summary)| RadarEntry::of(id, summary)).collect(),
             frames: common_frames(&frames),
         }
     }
@@ -106,7 +106,7 @@ impl RadarsSummary {
     }
 }
 
-impl OneOfRadars {
+impl RadarEntry {
     fn of(id: &str, summary: &Summary) -> Self {
         let frames = &summary.frames;
         let sum = |of: &dyn Fn(&FrameSummary) -> usize| frames.iter().map(of).sum();

@@ -9,7 +9,7 @@ use artifact::points::Object;
 use artifact::scene::SceneHeader;
 use artifact::settings::Class;
 use evaluation::{FrameTruth, Truth};
-use radar::doppler_ambiguity::shown_mps;
+use radar::doppler_ambiguity::apparent_velocity_mps;
 use serde::{Deserialize, Serialize};
 
 /// Target of a frame, truth beside estimate.
@@ -138,11 +138,11 @@ impl TargetSummary {
             truth: TruthSummary::of(truth),
             estimate: object.map(Estimate::of),
             error: EchoError::of(header, result, (index, chosen)),
-            found: frame.pairing.shown.contains(&index).then_some(object.is_some()),
+            found: frame.pairing.expected.contains(&index).then_some(object.is_some()),
             removed: frame.pairing.removed.contains(&index),
             object: chosen,
             velocity_aliased: is_aliased(header, truth, object),
-            predicted_class: probabilities.map(|p| result.rule.told(p)),
+            predicted_class: probabilities.map(|p| result.rule.predict(p)),
             probabilities: Probabilities::of(probabilities),
             track_class: track.and_then(|track| track.predicted_class),
             track_probabilities: track.map(|track| track.probabilities),
@@ -154,8 +154,8 @@ impl TargetSummary {
 /// Without an estimate the true velocity decides: one beyond the span must be aliased.
 fn is_aliased(header: &SceneHeader, truth: &Truth, object: Option<&Object>) -> bool {
     let span = 2.0 * header.radar.velocity_max_mps();
-    let shown = object.map(|o| shown_mps(&header.radar, o.radial_velocity_mps));
-    let difference = shown.unwrap_or_else(|| shown_mps(&header.radar, truth.radial_velocity_mps))
+    let shown = object.map(|o| apparent_velocity_mps(&header.radar, o.radial_velocity_mps));
+    let difference = shown.unwrap_or_else(|| apparent_velocity_mps(&header.radar, truth.radial_velocity_mps))
         - truth.radial_velocity_mps;
     (difference / span).round() != 0.0
 }

@@ -81,7 +81,7 @@ impl TrackSummary {
                 yaw_deg: footprint.heading_rad.to_degrees(),
             },
             target: target.map(str::to_owned),
-            predicted_class: probabilities.map(|p| rule.told(p)),
+            predicted_class: probabilities.map(|p| rule.predict(p)),
             probabilities: Probabilities::of(probabilities),
         }
     }

@@ -5,7 +5,7 @@ use crate::report::viewer::packed::Packed;
 use artifact::cube::CubeHeader;
 use artifact::paths::PathsFrame;
 use artifact::units::db_from_power;
-use evaluation::{CellOrigins, Group, cell_origins};
+use evaluation::{CellOrigins, EchoGroup, cell_origins};
 use pipeline::chain::link::FrameProducts;
 use pipeline::host::failure::Failure;
 use serde::Serialize;
@@ -31,14 +31,14 @@ pub(super) struct MapCells {
     strongest: Packed,
     /// Power of that kind relative to the sum over all kinds in the cell, percent.
     percent: Packed,
-    kinds: Vec<Kind>,
+    kinds: Vec<EchoKind>,
     /// Cells of the map along both axes per cell here, which shows the strongest of them.
     pooled: usize,
 }
 
 /// Kind of echo.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-struct Kind {
+struct EchoKind {
     target: u32,
     order: u8,
     bodies: u8,
@@ -62,14 +62,15 @@ impl MapCells {
         let floor = noise * header.radar.map_channels() as f64;
         let levels: Vec<f64> = power.iter().map(|p| db_from_power(p / floor).max(LOWEST_DB)).collect();
         let origins = paths.map(|paths| cell_origins(header, paths, noise)).transpose();
-        let origins = origins.map_err(Failure::refused)?.unwrap_or_else(|| nobodys(levels.len()));
-        let pool = Pool::of(power.dim(), most);
+        let origins = origins.map_err(Failure::refused)?.unwrap_or_else(|| unknown_origins(levels.len()));
+        let pool = MaxPooling::of(power.dim(), most);
         let strongest = pool.strongest(&levels);
         let of = |values: &[u8]| {
             let picked = strongest.iter().map(|cell| values.get(*cell).copied().unwrap_or(0));
             Packed::bytes(&picked.collect::<Vec<_>>())
         };
-        let kind = |group: &Group| Kind { target: group.target, order: group.order, bodies: group.bodies };
+        let kind =
+            |group: &EchoGroup| EchoKind { target: group.target, order: group.order, bodies: group.bodies };
         Ok(Self {
             rows: pool.rows(),
             columns: pool.columns(),
@@ -91,17 +92,17 @@ impl MapCells {
 }
 
 /// Labels of a map whose echoes are unknown.
-fn nobodys(cells: usize) -> CellOrigins {
+fn unknown_origins(cells: usize) -> CellOrigins {
     CellOrigins { groups: vec![], strongest: vec![0; cells], percent: vec![0; cells] }
 }
 
 /// Squares of cells, each represented by its strongest cell.
-struct Pool {
+struct MaxPooling {
     size: (usize, usize),
     side: usize,
 }
 
-impl Pool {
+impl MaxPooling {
     /// Smallest squares with which the map has at most `most`.
     fn of(size: (usize, usize), most: usize) -> Self {
         let pools = (1..).map(|side| Self { size, side });
@@ -149,12 +150,12 @@ mod tests {
     #[test]
     fn a_map_that_is_too_large_shows_the_strongest_cell_of_each_square() {
         let levels = [0.0, 5.0, 1.0, 2.0, 3.0, 4.0, 7.0, 1.0, 2.0, 9.0, 0.0, 8.0];
-        let pool = Pool::of((3, 4), 4);
+        let pool = MaxPooling::of((3, 4), 4);
         assert_eq!((pool.side, pool.rows(), pool.columns()), (2, 2, 2));
         // Rows: 0 5 1 2 / 3 4 7 1 / 2 9 0 8.
         assert_eq!(pool.strongest(&levels), [1, 6, 9, 11]);
         assert_eq!(pool.axis(&[0.0, 2.0, 4.0, 6.0], 2.0), [1.0, 4.0]);
-        assert_eq!(Pool::of((1, 4), 4).axis(&[0.0], 86.0), [0.0, 86.0]);
-        assert_eq!(Pool::of((3, 4), 12).strongest(&levels), (0..12).collect::<Vec<_>>());
+        assert_eq!(MaxPooling::of((1, 4), 4).axis(&[0.0], 86.0), [0.0, 86.0]);
+        assert_eq!(MaxPooling::of((3, 4), 12).strongest(&levels), (0..12).collect::<Vec<_>>());
     }
 }

@@ -28,26 +28,26 @@ pub(super) struct PathCourse {
 const MISSED_M: f64 = 0.25;
 
 /// Bodies of a frame at its middle, where paths are folded.
-pub(super) struct Folding<'a> {
+pub(super) struct PathFolding<'a> {
     radar_m: DVec3,
     middle_s: f64,
     bodies: Vec<(Option<&'a Mesh>, Pose)>,
     /// Possible reflections of a leg by the road; none if it does not reflect.
-    road_turns: &'static [RoadTurn],
+    road_turns: &'static [RoadReflection],
 }
 
 /// Reflection of a leg by the road.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum RoadTurn {
+enum RoadReflection {
     Never,
     First,
     Last,
 }
 
-const WITHOUT_ROAD: &[RoadTurn] = &[RoadTurn::Never];
-const WITH_ROAD: &[RoadTurn] = &[RoadTurn::Never, RoadTurn::First, RoadTurn::Last];
+const WITHOUT_ROAD: &[RoadReflection] = &[RoadReflection::Never];
+const WITH_ROAD: &[RoadReflection] = &[RoadReflection::Never, RoadReflection::First, RoadReflection::Last];
 
-impl<'a> Folding<'a> {
+impl<'a> PathFolding<'a> {
     /// Bodies of a frame; `view` is its scene.
     pub(super) fn of(view: &'a SceneHeader, frame: &SceneFrame, radar: &Radar) -> Self {
         let middle_s = radar.frame_middle_s();
@@ -98,7 +98,7 @@ impl<'a> Folding<'a> {
     }
 
     /// Places from the first mirror to the node; `None` if the ray does not meet a mirror before its end.
-    fn folded(&self, seen: DVec3, facets: &[Facet], turn: RoadTurn) -> Option<Vec<DVec3>> {
+    fn folded(&self, seen: DVec3, facets: &[Facet], turn: RoadReflection) -> Option<Vec<DVec3>> {
         let (mut from, mut to, mut places) = (self.radar_m, seen, vec![]);
         let mut mirrored = |to: &mut DVec3, (place, normal): (DVec3, DVec3)| {
             let (before, behind) = (normal.dot(from - place), normal.dot(*to - place));
@@ -110,13 +110,13 @@ impl<'a> Folding<'a> {
             *to -= 2.0 * behind * normal;
             Some(())
         };
-        if turn == RoadTurn::First {
+        if turn == RoadReflection::First {
             mirrored(&mut to, ROAD)?;
         }
         for facet in facets {
             mirrored(&mut to, self.plane(facet)?)?;
         }
-        if turn == RoadTurn::Last {
+        if turn == RoadReflection::Last {
             mirrored(&mut to, ROAD)?;
         }
         places.push(to);
@@ -188,7 +188,7 @@ mod tests {
         };
         let radar_m = DVec3::new(0.0, 0.0, 1.0);
         let bodies = vec![(Some(&mesh), pose)];
-        Folding { radar_m, middle_s: 0.0, bodies, road_turns: WITH_ROAD }.way(path)
+        PathFolding { radar_m, middle_s: 0.0, bodies, road_turns: WITH_ROAD }.way(path)
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! The part of the page with the view. Its script fills it; without one it stays hidden.
 
 use crate::report::viewer::page_script::scripts;
-use crate::report::viewer::viewed_frame::Viewed;
+use crate::report::viewer::viewed_frame::ViewerData;
 use maud::{Markup, html};
 use pipeline::outcome::summary::Summary;
 
@@ -40,8 +40,8 @@ const PLACES: [(&str, &str); 3] =
     [("around", "from the side"), ("radar", "from the radar"), ("above", "from above")];
 
 /// The view with its numbers and its script; empty if no frame is viewed.
-pub(crate) fn section(viewed: &Viewed, summary: &Summary) -> Markup {
-    let Some(json) = viewed.json(summary) else { return html! {} };
+pub(crate) fn section(data: &ViewerData, summary: &Summary) -> Markup {
+    let Some(json) = data.json(summary) else { return html! {} };
     html! {
         noscript { p.made { "Scripts are disabled; the drawings and tables below show the same scene." } }
         section #viewer hidden {

@@ -1,7 +1,7 @@
 //! Paths of a frame in the view: the strongest, with their places and powers.
 
 use crate::report::viewer::packed::Packed;
-use crate::report::viewer::path_geometry::{Folding, PathCourse};
+use crate::report::viewer::path_geometry::{PathCourse, PathFolding};
 use artifact::paths::{Path, PathsFrame};
 use artifact::radar::Radar;
 use glam::DVec3;
@@ -47,7 +47,7 @@ impl StrongestPaths {
     pub(super) fn of(
         radar: &Radar,
         frame: &PathsFrame,
-        folding: &Folding,
+        folding: &PathFolding,
         bodies: usize,
         most: usize,
     ) -> Self {

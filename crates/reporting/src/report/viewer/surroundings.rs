@@ -6,7 +6,7 @@ use crate::report::viewer::packed::Packed;
 use crate::report::viewer::page_budget::TRIANGLES;
 use artifact::radar::{Radar, Sampling};
 use artifact::scene::{Mesh, SceneHeader};
-use artifact::settings::{Course, Lane, Lanes};
+use artifact::settings::{Lane, Lanes, NetworkLane};
 use serde::Serialize;
 
 /// Radar, road and meshes of a scene.
@@ -59,7 +59,7 @@ const STEP_M: f64 = 0.001;
 impl Surroundings {
     /// Surroundings of a scene.
     pub(in crate::report) fn of(header: &SceneHeader) -> Self {
-        let mut shelf = MeshShelf::default();
+        let mut shelf = MeshTable::default();
         header.meshes.iter().for_each(|mesh| {
             shelf.put(mesh);
         });
@@ -67,7 +67,7 @@ impl Surroundings {
     }
 
     /// Radar and road of a scene, with these meshes.
-    pub(in crate::report) fn with_meshes(header: &SceneHeader, shelf: MeshShelf) -> Self {
+    pub(in crate::report) fn with_meshes(header: &SceneHeader, shelf: MeshTable) -> Self {
         let (road, far_m) = (&header.dsp.road, header.radar.waveform.range_max_m());
         let near_m = header.intersection.width_m;
         let straight = |lane: &Lane| lane_m(road, lane, [near_m, far_m]);
@@ -114,19 +114,19 @@ fn crossing_m(road: &Lanes, width_m: f64) -> Option<[Vec<[f64; 2]>; 2]> {
     (width_m > 0.0 && !road.lanes.is_empty()).then(|| [side(width_m), side(0.0)])
 }
 
-fn course_name(course: &Course) -> Option<LaneName> {
+fn course_name(course: &NetworkLane) -> Option<LaneName> {
     let at_m = course.line_m.get(course.line_m.len() / 2)?;
     Some(LaneName { name: format!("{} {}", course.number, course.name), at_m: *at_m })
 }
 
 /// Meshes of a page, whole as long as there is room.
 #[derive(Default)]
-pub(in crate::report) struct MeshShelf {
+pub(in crate::report) struct MeshTable {
     meshes: Vec<MeshView>,
     triangles: usize,
 }
 
-impl MeshShelf {
+impl MeshTable {
     /// Appends a mesh, and returns its index.
     pub(in crate::report) fn put(&mut self, mesh: &Mesh) -> u32 {
         let fits = self.triangles + mesh.triangles.len() <= TRIANGLES;

@@ -5,7 +5,7 @@ use crate::report::viewer::map_cells::MapCells;
 use crate::report::viewer::packed::Packed;
 use crate::report::viewer::page_budget::Budget;
 use crate::report::viewer::page_script::json;
-use crate::report::viewer::path_geometry::Folding;
+use crate::report::viewer::path_geometry::PathFolding;
 use crate::report::viewer::strongest_paths::StrongestPaths;
 use crate::report::viewer::surroundings::Surroundings;
 use artifact::paths::PathsFrame;
@@ -20,7 +20,7 @@ use serde::Serialize;
 
 /// Numbers of a run for the view, as far as it is computed.
 #[derive(Debug, Default)]
-pub struct Viewed {
+pub struct ViewerData {
     surroundings: Option<Surroundings>,
     every: u32,
     frames: Vec<ViewedFrame>,
@@ -99,7 +99,7 @@ struct PageFrame<'a> {
     model_error_db: ModelErrorFigures,
 }
 
-impl Viewed {
+impl ViewerData {
     /// Takes the shown parts of a frame if it is viewed; `frame` does not contain truth yet.
     pub fn take(
         &mut self,
@@ -149,7 +149,7 @@ impl ViewedFrame {
         let (view, scene) = (&frame.view, &frame.result.scene);
         let header = chain.cube_header().in_frame(scene.index);
         let radar = &header.radar;
-        let folding = Folding::of(view, scene, radar);
+        let folding = PathFolding::of(view, scene, radar);
         let traced = frame.result.scattering.paths();
         let strongest =
             |paths: &PathsFrame| StrongestPaths::of(radar, paths, &folding, view.targets.len(), budget.paths);

@@ -1,8 +1,8 @@
 //! `[radar.array]`.
 
-use crate::document::keys::key::{Key, Or, Table};
-use crate::document::keys::kinds::{Number, Pair, Pairs, PerElement, Text, Words};
-use crate::wording::allowed::Allowed::{self, Above, Between};
+use crate::document::keys::key::{DefaultValue, Key, Table};
+use crate::document::keys::kinds::{Choice, Number, Pair, Pairs, PerElement, Text};
+use crate::wording::allowed_range::AllowedRange::{self, Above, Between};
 use artifact::radar::{Multiplexing, Polarization};
 use radar::aperture::Preset;
 
@@ -15,7 +15,7 @@ pub(crate) enum PatternForm {
 }
 
 /// Offsets in half wavelengths: at 77 GHz up to 20 m, more than any array.
-const OFFSETS: Allowed = Between(-1e4, 1e4);
+const OFFSETS: AllowedRange = Between(-1e4, 1e4);
 
 /// Elements in a row: more than any radar on one or a few chips has.
 const ELEMENTS: Pairs =
@@ -23,9 +23,9 @@ const ELEMENTS: Pairs =
 
 /// Gain errors up to a decade of amplitude, beyond which an element is dead or wrongly built; delays up to a
 /// nanosecond (30 cm) of line.
-const GAINS_DB: Allowed = Between(-20.0, 20.0);
-const PHASES_DEG: Allowed = Between(-360.0, 360.0);
-const DELAYS_PS: Allowed = Between(0.0, 1000.0);
+const GAINS_DB: AllowedRange = Between(-20.0, 20.0);
+const PHASES_DEG: AllowedRange = Between(-360.0, 360.0);
+const DELAYS_PS: AllowedRange = Between(0.0, 1000.0);
 
 pub(crate) const ARRAY: Table = Table {
     name: "radar.array",
@@ -51,9 +51,9 @@ pub(crate) const ARRAY: Table = Table {
     ],
 };
 
-pub(crate) const PRESET: Key<Words<Preset>, Or<Preset>> =
-    Key::new("preset", Words(|| Preset::ALL.to_vec()), "a named array; excludes the next two")
-        .or(Preset::ThreeByFour)
+pub(crate) const PRESET: Key<Choice<Preset>, DefaultValue<Preset>> =
+    Key::new("preset", Choice(|| Preset::ALL.to_vec()), "a named array; excludes the next two")
+        .with_default(Preset::ThreeByFour)
         .allowed("the table below");
 
 pub(crate) const TX: Key<Pairs> = Key::new(
@@ -66,9 +66,9 @@ pub(crate) const TX: Key<Pairs> = Key::new(
 pub(crate) const RX: Key<Pairs> =
     Key::new("rx_half_wavelengths", ELEMENTS, "receive elements; both lists or neither").allowed("likewise");
 
-pub(crate) const MULTIPLEXING: Key<Words<Multiplexing>, Or<Multiplexing>> = Key::new(
+pub(crate) const MULTIPLEXING: Key<Choice<Multiplexing>, DefaultValue<Multiplexing>> = Key::new(
     "multiplexing",
-    Words(|| {
+    Choice(|| {
         vec![
             ("simultaneous", Multiplexing::Simultaneous),
             ("tdm", Multiplexing::Tdm),
@@ -83,11 +83,11 @@ pub(crate) const MULTIPLEXING: Key<Words<Multiplexing>, Or<Multiplexing>> = Key:
      velocities within ±λ/4T of one chirp interval, and `velocity_resolved` where no other up to 33.4 m/s \
      looks alike",
 )
-.or(Multiplexing::Simultaneous);
+.with_default(Multiplexing::Simultaneous);
 
-pub(crate) const POLARIZATION: Key<Words<Polarization>, Or<Polarization>> = Key::new(
+pub(crate) const POLARIZATION: Key<Choice<Polarization>, DefaultValue<Polarization>> = Key::new(
     "polarization",
-    Words(|| {
+    Choice(|| {
         vec![
             ("vv", Polarization::Vv),
             ("hh", Polarization::Hh),
@@ -98,11 +98,11 @@ pub(crate) const POLARIZATION: Key<Words<Polarization>, Or<Polarization>> = Key:
     "received, then transmitted: \"vh\" sends h and receives v; a point target answers in vv and hh \
      alike, not in vh",
 )
-.or(Polarization::Vv);
+.with_default(Polarization::Vv);
 
-pub(crate) const PATTERN: Key<Words<PatternForm>, Or<PatternForm>> = Key::new(
+pub(crate) const PATTERN: Key<Choice<PatternForm>, DefaultValue<PatternForm>> = Key::new(
     "pattern",
-    Words(|| {
+    Choice(|| {
         vec![
             ("isotropic", PatternForm::Isotropic),
             ("cosine", PatternForm::Cosine),
@@ -113,7 +113,7 @@ pub(crate) const PATTERN: Key<Words<PatternForm>, Or<PatternForm>> = Key::new(
      Bodies wholly behind an array that hears nothing there are not traced \
      ([behind_array.rs](../crates/bart-rcs/src/bodies/behind_array.rs))",
 )
-.or(PatternForm::Isotropic);
+.with_default(PatternForm::Isotropic);
 
 pub(crate) const COSINE_EXPONENT: Key<Number> = Key::new(
     "cosine_exponent",
@@ -152,12 +152,12 @@ pub(crate) const RX_PHASE_ERRORS: Key<PerElement> =
 pub(crate) const RX_DELAYS: Key<PerElement> =
     Key::new("rx_delays_ps", PerElement(DELAYS_PS), "ps, likewise").allowed("likewise, {}");
 
-pub(crate) const GAIN_SPREAD: Key<Number, Or<f64>> = Key::new(
+pub(crate) const GAIN_SPREAD: Key<Number, DefaultValue<f64>> = Key::new(
     "gain_spread_db",
     Number(Between(0.0, 10.0)),
     "dB: standard deviation of what comes to the gain of every element, normal, drawn from the seed",
 )
-.or(0.0);
+.with_default(0.0);
 
-pub(crate) const PHASE_SPREAD: Key<Number, Or<f64>> =
-    Key::new("phase_spread_deg", Number(Between(0.0, 180.0)), "degrees, likewise").or(0.0);
+pub(crate) const PHASE_SPREAD: Key<Number, DefaultValue<f64>> =
+    Key::new("phase_spread_deg", Number(Between(0.0, 180.0)), "degrees, likewise").with_default(0.0);

@@ -1,10 +1,10 @@
 //! `[[target]]` and `[[clutter]]`.
 
-use crate::document::keys::key::{Key, Or, Table};
-use crate::document::keys::kinds::{Either, Name, Number, Text, Vector, Whole, Words};
+use crate::document::keys::key::{DefaultValue, Key, Table};
+use crate::document::keys::kinds::{Choice, Either, Integer, Name, Number, Text, Vector};
 use crate::document::ranges::{COORDINATES_M, SEEDS, VELOCITIES_MPS};
 use crate::mesh::UNIT_SCALES;
-use crate::wording::allowed::Allowed::Between;
+use crate::wording::allowed_range::AllowedRange::Between;
 use artifact::settings::Class;
 
 /// Kind of a target.
@@ -15,12 +15,12 @@ pub(crate) enum Body {
 }
 
 /// Height of a lamp's column; the range covers a cane to a gantry's leg.
-pub(crate) const POLE_HEIGHT: Key<Number, Or<f64>> =
-    Key::new("height_m", Number(Between(0.1, 100.0)), "of a pole").or(6.0);
+pub(crate) const POLE_HEIGHT: Key<Number, DefaultValue<f64>> =
+    Key::new("height_m", Number(Between(0.1, 100.0)), "of a pole").with_default(6.0);
 
 /// Height of a sign; by default the plate's lower edge is 2.25 m over a footway.
-pub(crate) const SIGN_HEIGHT: Key<Number, Or<f64>> =
-    Key::new("height_m", Number(Between(0.7, 20.0)), "of a sign").or(2.85);
+pub(crate) const SIGN_HEIGHT: Key<Number, DefaultValue<f64>> =
+    Key::new("height_m", Number(Between(0.7, 20.0)), "of a sign").with_default(2.85);
 
 pub(crate) const TARGET: Table = Table {
     name: "target",
@@ -46,9 +46,9 @@ pub(crate) const TARGET: Table = Table {
     ],
 };
 
-pub(crate) const KIND: Key<Words<Body>> = Key::new(
+pub(crate) const KIND: Key<Choice<Body>> = Key::new(
     "kind",
-    Words(|| vec![("mesh", Body::Mesh), ("point", Body::Point)]),
+    Choice(|| vec![("mesh", Body::Mesh), ("point", Body::Point)]),
     "a body, or a point that scatters alike in every direction",
 )
 .required();
@@ -65,9 +65,9 @@ pub(crate) const POSITION: Key<Vector<3>> = Key::new(
 )
 .absent("required");
 
-pub(crate) const LANE: Key<Whole> = Key::new(
+pub(crate) const LANE: Key<Integer> = Key::new(
     "lane",
-    Whole(Between(1.0, 255.0)),
+    Integer(Between(1.0, 255.0)),
     "with `y_m` instead of `position_m`: the middle of that lane, on the ground",
 )
 .allowed("a lane's number");
@@ -78,21 +78,21 @@ pub(crate) const Y: Key<Number> = Key::new(
     "m along the lanes from their origin: world y where they run along it",
 );
 
-pub(crate) const VELOCITY: Key<Vector<3>, Or<[f64; 3]>> = Key::new(
+pub(crate) const VELOCITY: Key<Vector<3>, DefaultValue<[f64; 3]>> = Key::new(
     "velocity_mps",
     Vector(VELOCITIES_MPS),
     "m/s, world; with `acceleration_mps2` that at the first sample",
 )
-.or([0.0; 3]);
+.with_default([0.0; 3]);
 
 /// Acceleration up to ten times that of braking and falling.
-pub(crate) const ACCELERATION: Key<Vector<3>, Or<[f64; 3]>> = Key::new(
+pub(crate) const ACCELERATION: Key<Vector<3>, DefaultValue<[f64; 3]>> = Key::new(
     "acceleration_mps2",
     Vector(Between(-100.0, 100.0)),
     "m/s², world, constant from the first frame's first sample on, within frames too; where the body turns \
      (`yaw_rate_dps`) it turns with it",
 )
-.or([0.0; 3]);
+.with_default([0.0; 3]);
 
 pub(crate) const WHEEL_RADIUS: Key<Number> = Key::new(
     "wheel_radius_m",
@@ -102,12 +102,12 @@ pub(crate) const WHEEL_RADIUS: Key<Number> = Key::new(
      \"rcs-table\"`",
 );
 
-pub(crate) const WHEEL_ANGLE: Key<Number, Or<f64>> = Key::new(
+pub(crate) const WHEEL_ANGLE: Key<Number, DefaultValue<f64>> = Key::new(
     "wheel_angle_deg",
     Number(Between(-360.0, 360.0)),
     "with `wheel_radius_m`: where on the rim at the first sample, from forward towards up",
 )
-.or(0.0);
+.with_default(0.0);
 
 pub(crate) const YAW: Key<Number> = Key::new(
     "yaw_deg",
@@ -118,13 +118,13 @@ pub(crate) const YAW: Key<Number> = Key::new(
 
 /// Yaw rate: a vehicle at walking pace within its turning circle turns by 20°/s, a thrown one at a few turns
 /// per second.
-pub(crate) const YAW_RATE: Key<Number, Or<f64>> = Key::new(
+pub(crate) const YAW_RATE: Key<Number, DefaultValue<f64>> = Key::new(
     "yaw_rate_dps",
     Number(Between(-720.0, 720.0)),
     "mesh only: degrees a second by which the body turns about the vertical through its origin, from world \
      +x towards +y; velocity and acceleration turn with it, so that it drives a bend",
 )
-.or(0.0);
+.with_default(0.0);
 
 pub(crate) const MODEL: Key<Text> = Key::new(
     "model",
@@ -134,17 +134,17 @@ pub(crate) const MODEL: Key<Text> = Key::new(
 )
 .absent("required for a mesh");
 
-pub(crate) const CLASS: Key<Words<Class>> =
-    Key::new("class", Words::CLASSES, "mesh only: truth for the classifier; unknown for a file without it")
+pub(crate) const CLASS: Key<Choice<Class>> =
+    Key::new("class", Choice::CLASSES, "mesh only: truth for the classifier; unknown for a file without it")
         .absent("the vehicle's");
 
-pub(crate) const VEHICLE_SEED: Key<Whole, Or<u64>> = Key::new(
+pub(crate) const VEHICLE_SEED: Key<Integer, DefaultValue<u64>> = Key::new(
     "vehicle_seed",
-    Whole(SEEDS),
+    Integer(SEEDS),
     "mesh only: which of the project's vehicles of that name: 0 has the nominal dimensions, every other \
      seed its own within real ranges",
 )
-.or(0);
+.with_default(0);
 
 pub(crate) const UNIT_SCALE: Key<Number> = Key::new(
     "unit_scale",
@@ -187,9 +187,9 @@ pub(crate) const CLUTTER_POSITION: Key<Vector<3>> = Key::new(
 )
 .required();
 
-pub(crate) const CLUTTER_YAW: Key<Number, Or<f64>> =
+pub(crate) const CLUTTER_YAW: Key<Number, DefaultValue<f64>> =
     Key::new("yaw_deg", Number(Between(-360.0, 360.0)), "degrees of its x axis from world +x towards +y")
-        .or(-90.0);
+        .with_default(-90.0);
 
 pub(crate) const LENGTH: Key<Number> =
     Key::new("length_m", Number(Between(0.2, 1000.0)), "m along x: required for \"guard-rail\" and \"kerb\"");
@@ -201,8 +201,8 @@ pub(crate) const HEIGHT: Key<Either> = Key::new(
 )
 .absent("6.0, 2.85");
 
-pub(crate) const DIAMETER: Key<Number, Or<f64>> =
-    Key::new("diameter_m", Number(Between(0.01, 5.0)), "m: of a \"pole\"").or(0.1143);
+pub(crate) const DIAMETER: Key<Number, DefaultValue<f64>> =
+    Key::new("diameter_m", Number(Between(0.01, 5.0)), "m: of a \"pole\"").with_default(0.1143);
 
 pub(crate) const CLUTTER_UNIT_SCALE: Key<Number> =
     Key::new("unit_scale", UNIT_SCALE.takes, "of a file").allowed("as a target's");

@@ -3,7 +3,7 @@
 use serde_json::Value;
 
 /// Values that a key takes, as the page and the schema tell it.
-pub trait Kind: Copy + 'static {
+pub trait ValueKind: Copy + 'static {
     /// Whether it is a number or a list of them.
     const NUMBERS: bool = false;
     /// Allowed values in the words of the page.
@@ -13,7 +13,7 @@ pub trait Kind: Copy + 'static {
 }
 
 /// A kind of which a value can stand for one that is left out.
-pub trait Plain: Kind {
+pub trait Defaultable: ValueKind {
     /// Type of a value as it is read.
     type Value: Copy + 'static;
     /// Value as JSON, which is also TOML.
@@ -24,7 +24,7 @@ pub trait Plain: Kind {
     }
 }
 
-/// A key. `A` is [`Absent`], or [`Or`] with a default value common to all readers.
+/// A key. `A` is [`Absent`], or [`DefaultValue`] with a default value common to all readers.
 #[derive(Clone, Copy)]
 pub struct Key<K, A = Absent> {
     /// Name as written, with its unit.
@@ -46,12 +46,12 @@ pub enum Absent {
     /// Nothing; the page has a dash.
     Nothing,
     /// A text of the page, because the meaning depends on other keys.
-    Said(&'static str),
+    Explained(&'static str),
 }
 
 /// The value of an omitted key.
 #[derive(Clone, Copy)]
-pub struct Or<V>(pub V);
+pub struct DefaultValue<V>(pub V);
 
 impl<K: Copy> Key<K> {
     /// A key that may be left out; a sentence as in the page's last column.
@@ -66,13 +66,13 @@ impl<K: Copy> Key<K> {
 
     /// Describes the meaning of the omitted key, which depends on others.
     pub(crate) const fn absent(self, said: &'static str) -> Self {
-        Self { absent: Absent::Said(said), ..self }
+        Self { absent: Absent::Explained(said), ..self }
     }
 
     /// One with a value where it is left out.
-    pub const fn or<V: Copy>(self, value: V) -> Key<K, Or<V>> {
+    pub const fn with_default<V: Copy>(self, value: V) -> Key<K, DefaultValue<V>> {
         let Self { name, takes, allowed, meaning, .. } = self;
-        Key { name, takes, absent: Or(value), allowed, meaning }
+        Key { name, takes, absent: DefaultValue(value), allowed, meaning }
     }
 }
 
@@ -99,7 +99,7 @@ pub trait Entry {
     fn default(&self) -> Option<Value>;
 }
 
-impl<K: Kind> Entry for Key<K> {
+impl<K: ValueKind> Entry for Key<K> {
     fn name(&self) -> &'static str {
         self.name
     }
@@ -116,7 +116,7 @@ impl<K: Kind> Entry for Key<K> {
         let absent = match self.absent {
             Absent::Required => "required",
             Absent::Nothing => "–",
-            Absent::Said(said) => said,
+            Absent::Explained(said) => said,
         };
         [absent.to_owned(), self.allowed.replace("{}", &self.takes.allowed()), self.meaning.to_owned()]
     }
@@ -130,7 +130,7 @@ impl<K: Kind> Entry for Key<K> {
     }
 }
 
-impl<K: Plain> Entry for Key<K, Or<K::Value>> {
+impl<K: Defaultable> Entry for Key<K, DefaultValue<K::Value>> {
     fn name(&self) -> &'static str {
         self.name
     }

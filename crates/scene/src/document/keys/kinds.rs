@@ -1,18 +1,18 @@
 //! Kinds of values of keys: numbers in a range, words of a list, texts, lists and tables.
 
-use crate::document::keys::key::{Kind, Plain, Table};
-use crate::wording::allowed::Allowed;
+use crate::document::keys::key::{Defaultable, Table, ValueKind};
+use crate::wording::allowed_range::AllowedRange;
 use crate::wording::number;
 use artifact::settings::Class;
 use serde_json::{Value, json};
 
 /// A number.
 #[derive(Clone, Copy)]
-pub struct Number(pub Allowed);
+pub struct Number(pub AllowedRange);
 
 /// A whole number.
 #[derive(Clone, Copy)]
-pub struct Whole(pub Allowed);
+pub struct Integer(pub AllowedRange);
 
 /// A number in one of two ranges, depending on another key.
 #[derive(Clone, Copy)]
@@ -20,7 +20,7 @@ pub(crate) struct Either(pub(crate) [Number; 2]);
 
 /// `true` or `false`.
 #[derive(Clone, Copy)]
-pub struct Truth;
+pub struct Boolean;
 
 /// A text, and the kind of thing that it names.
 #[derive(Clone, Copy)]
@@ -36,18 +36,18 @@ pub(crate) struct Name;
 
 /// Words, and the value of each.
 #[derive(Clone, Copy)]
-pub struct Words<T: 'static>(pub(crate) fn() -> Vec<(&'static str, T)>);
+pub struct Choice<T: 'static>(pub(crate) fn() -> Vec<(&'static str, T)>);
 
-impl Words<Class> {
+impl Choice<Class> {
     /// Classes of vehicles.
     pub const CLASSES: Self = Self(|| Class::ALL.map(|class| (class.name(), class)).to_vec());
 }
 
 /// Words, and others that follow a pattern.
 #[derive(Clone, Copy)]
-pub(crate) struct Like<T: 'static> {
+pub(crate) struct ChoiceOrPattern<T: 'static> {
     /// The words listed in errors and on the page.
-    pub(crate) words: Words<T>,
+    pub(crate) words: Choice<T>,
     /// Value of any other word.
     pub(crate) built: fn(&str) -> Option<T>,
     /// End of a sentence that lists the words: description of the others.
@@ -58,55 +58,55 @@ pub(crate) struct Like<T: 'static> {
 
 /// `N` numbers, each in the range.
 #[derive(Clone, Copy)]
-pub struct Vector<const N: usize>(pub Allowed);
+pub struct Vector<const N: usize>(pub AllowedRange);
 
 /// `N` whole numbers, each in the range.
 #[derive(Clone, Copy)]
-pub struct Counts<const N: usize>(pub Allowed);
+pub struct IntegerVector<const N: usize>(pub AllowedRange);
 
 /// Two numbers, each in its own range.
 #[derive(Clone, Copy)]
 pub(crate) struct Pair {
     /// Range of either number, checked at the position of the number.
-    pub(crate) any: Allowed,
+    pub(crate) any: AllowedRange,
     /// Ranges of the first and of the second number, checked at the position of the list.
-    pub(crate) each: [Allowed; 2],
+    pub(crate) each: [AllowedRange; 2],
 }
 
 /// A list of numbers.
 #[derive(Clone, Copy)]
 pub(crate) struct Numbers {
     /// Allowed length of the list.
-    pub(crate) length: Allowed,
+    pub(crate) length: AllowedRange,
     /// Range of each number.
-    pub(crate) each: Allowed,
+    pub(crate) each: AllowedRange,
 }
 
 /// A list of whole numbers.
 #[derive(Clone, Copy)]
-pub struct Wholes {
+pub struct Integers {
     /// Allowed length of the list.
-    pub length: Allowed,
+    pub length: AllowedRange,
     /// Range of each number.
-    pub each: Allowed,
+    pub each: AllowedRange,
 }
 
 /// A list of pairs of numbers.
 #[derive(Clone, Copy)]
 pub(crate) struct Pairs {
     /// Allowed length of the list.
-    pub(crate) length: Allowed,
+    pub(crate) length: AllowedRange,
     /// Ranges of each pair.
     pub(crate) pair: Pair,
 }
 
 /// A number for each element of an array.
 #[derive(Clone, Copy)]
-pub(crate) struct PerElement(pub(crate) Allowed);
+pub(crate) struct PerElement(pub(crate) AllowedRange);
 
 /// Nested tables with the keys of `table`.
 #[derive(Clone, Copy)]
-pub struct Below {
+pub struct Subtables {
     /// Form in which they are written.
     pub form: TableForm,
     /// The keys of each.
@@ -121,14 +121,14 @@ pub enum TableForm {
     /// An array of tables.
     Several,
     /// A list of tables of allowed length.
-    List(Allowed),
+    List(AllowedRange),
     /// Tables under names given by the scene.
     Named,
     /// Tables under names given by the scene, or texts in their place.
     NamedOrTexts,
 }
 
-impl Below {
+impl Subtables {
     /// One table.
     pub const fn one(table: &'static Table) -> Self {
         Self { form: TableForm::One, table }
@@ -140,7 +140,7 @@ impl Below {
     }
 }
 
-impl Kind for Number {
+impl ValueKind for Number {
     const NUMBERS: bool = true;
 
     fn allowed(&self) -> String {
@@ -152,7 +152,7 @@ impl Kind for Number {
     }
 }
 
-impl Kind for Whole {
+impl ValueKind for Integer {
     const NUMBERS: bool = true;
 
     fn allowed(&self) -> String {
@@ -164,7 +164,7 @@ impl Kind for Whole {
     }
 }
 
-impl Kind for Either {
+impl ValueKind for Either {
     const NUMBERS: bool = true;
 
     fn allowed(&self) -> String {
@@ -176,7 +176,7 @@ impl Kind for Either {
     }
 }
 
-impl Kind for Truth {
+impl ValueKind for Boolean {
     fn allowed(&self) -> String {
         "true, false".to_owned()
     }
@@ -186,7 +186,7 @@ impl Kind for Truth {
     }
 }
 
-impl Kind for Text {
+impl ValueKind for Text {
     fn allowed(&self) -> String {
         self.0.to_owned()
     }
@@ -196,7 +196,7 @@ impl Kind for Text {
     }
 }
 
-impl Kind for Texts {
+impl ValueKind for Texts {
     fn allowed(&self) -> String {
         self.0.to_owned()
     }
@@ -206,7 +206,7 @@ impl Kind for Texts {
     }
 }
 
-impl Kind for Name {
+impl ValueKind for Name {
     fn allowed(&self) -> String {
         "1 to 64 letters, digits, spaces or any of `-_.+()`".to_owned()
     }
@@ -216,7 +216,7 @@ impl Kind for Name {
     }
 }
 
-impl<T: Copy + PartialEq> Kind for Words<T> {
+impl<T: Copy + PartialEq> ValueKind for Choice<T> {
     fn allowed(&self) -> String {
         quoted(&(self.0)())
     }
@@ -226,7 +226,7 @@ impl<T: Copy + PartialEq> Kind for Words<T> {
     }
 }
 
-impl<T: Copy + PartialEq> Kind for Like<T> {
+impl<T: Copy + PartialEq> ValueKind for ChoiceOrPattern<T> {
     fn allowed(&self) -> String {
         self.words.allowed() + self.others
     }
@@ -236,7 +236,7 @@ impl<T: Copy + PartialEq> Kind for Like<T> {
     }
 }
 
-impl<const N: usize> Kind for Vector<N> {
+impl<const N: usize> ValueKind for Vector<N> {
     const NUMBERS: bool = true;
 
     fn allowed(&self) -> String {
@@ -248,7 +248,7 @@ impl<const N: usize> Kind for Vector<N> {
     }
 }
 
-impl<const N: usize> Kind for Counts<N> {
+impl<const N: usize> ValueKind for IntegerVector<N> {
     const NUMBERS: bool = true;
 
     fn allowed(&self) -> String {
@@ -260,7 +260,7 @@ impl<const N: usize> Kind for Counts<N> {
     }
 }
 
-impl Kind for Pair {
+impl ValueKind for Pair {
     const NUMBERS: bool = true;
 
     fn allowed(&self) -> String {
@@ -273,7 +273,7 @@ impl Kind for Pair {
     }
 }
 
-impl Kind for Numbers {
+impl ValueKind for Numbers {
     const NUMBERS: bool = true;
 
     fn allowed(&self) -> String {
@@ -285,7 +285,7 @@ impl Kind for Numbers {
     }
 }
 
-impl Kind for Wholes {
+impl ValueKind for Integers {
     const NUMBERS: bool = true;
 
     fn allowed(&self) -> String {
@@ -297,7 +297,7 @@ impl Kind for Wholes {
     }
 }
 
-impl Kind for Pairs {
+impl ValueKind for Pairs {
     const NUMBERS: bool = true;
 
     fn allowed(&self) -> String {
@@ -312,7 +312,7 @@ impl Kind for Pairs {
     }
 }
 
-impl Kind for PerElement {
+impl ValueKind for PerElement {
     const NUMBERS: bool = true;
 
     fn allowed(&self) -> String {
@@ -324,7 +324,7 @@ impl Kind for PerElement {
     }
 }
 
-impl Kind for Below {
+impl ValueKind for Subtables {
     fn allowed(&self) -> String {
         match self.form {
             TableForm::One | TableForm::Several | TableForm::Named => String::new(),
@@ -351,7 +351,7 @@ impl Kind for Below {
     }
 }
 
-impl Plain for Number {
+impl Defaultable for Number {
     type Value = f64;
 
     fn json(&self, value: f64) -> Value {
@@ -359,7 +359,7 @@ impl Plain for Number {
     }
 }
 
-impl Plain for Whole {
+impl Defaultable for Integer {
     type Value = u64;
 
     fn json(&self, value: u64) -> Value {
@@ -367,7 +367,7 @@ impl Plain for Whole {
     }
 }
 
-impl Plain for Truth {
+impl Defaultable for Boolean {
     type Value = bool;
 
     fn json(&self, value: bool) -> Value {
@@ -375,7 +375,7 @@ impl Plain for Truth {
     }
 }
 
-impl Plain for Text {
+impl Defaultable for Text {
     type Value = &'static str;
 
     fn json(&self, value: &'static str) -> Value {
@@ -383,7 +383,7 @@ impl Plain for Text {
     }
 }
 
-impl<T: Copy + PartialEq> Plain for Words<T> {
+impl<T: Copy + PartialEq> Defaultable for Choice<T> {
     type Value = T;
 
     fn json(&self, value: T) -> Value {
@@ -397,7 +397,7 @@ impl<T: Copy + PartialEq> Plain for Words<T> {
     }
 }
 
-impl<T: Copy + PartialEq> Plain for Like<T> {
+impl<T: Copy + PartialEq> Defaultable for ChoiceOrPattern<T> {
     type Value = T;
 
     fn json(&self, value: T) -> Value {
@@ -405,7 +405,7 @@ impl<T: Copy + PartialEq> Plain for Like<T> {
     }
 }
 
-impl<const N: usize> Plain for Vector<N> {
+impl<const N: usize> Defaultable for Vector<N> {
     type Value = [f64; N];
 
     fn json(&self, value: [f64; N]) -> Value {
@@ -413,7 +413,7 @@ impl<const N: usize> Plain for Vector<N> {
     }
 }
 
-impl<const N: usize> Plain for Counts<N> {
+impl<const N: usize> Defaultable for IntegerVector<N> {
     type Value = [u64; N];
 
     fn json(&self, value: [u64; N]) -> Value {
@@ -421,7 +421,7 @@ impl<const N: usize> Plain for Counts<N> {
     }
 }
 
-impl Plain for Numbers {
+impl Defaultable for Numbers {
     type Value = &'static [f64];
 
     fn json(&self, value: &'static [f64]) -> Value {
@@ -434,20 +434,20 @@ fn quoted<T>(words: &[(&'static str, T)]) -> String {
 }
 
 /// A range in the words of the page.
-fn range(allowed: Allowed) -> String {
+fn range(allowed: AllowedRange) -> String {
     match allowed {
-        Allowed::Between(low, high) if low == -high => format!("±{}", figure(high)),
-        Allowed::Between(low, high) => format!("{} to {}", figure(low), figure(high)),
-        Allowed::Above(low, high) => format!("above {}, to {}", figure(low), figure(high)),
-        Allowed::Inside(low, high) => format!("above {} and below {}", figure(low), figure(high)),
-        Allowed::Below(low, high) => format!("{} up to, not including, {}", figure(low), figure(high)),
+        AllowedRange::Between(low, high) if low == -high => format!("±{}", figure(high)),
+        AllowedRange::Between(low, high) => format!("{} to {}", figure(low), figure(high)),
+        AllowedRange::Above(low, high) => format!("above {}, to {}", figure(low), figure(high)),
+        AllowedRange::Inside(low, high) => format!("above {} and below {}", figure(low), figure(high)),
+        AllowedRange::Below(low, high) => format!("{} up to, not including, {}", figure(low), figure(high)),
     }
 }
 
 /// The allowed length of a list in the words of the page.
-fn many(length: Allowed) -> String {
+fn many(length: AllowedRange) -> String {
     match length {
-        Allowed::Between(0.0, most) => format!("up to {}", figure(most)),
+        AllowedRange::Between(0.0, most) => format!("up to {}", figure(most)),
         length => range(length),
     }
 }
@@ -467,16 +467,16 @@ fn figure(value: f64) -> String {
     }
 }
 
-fn exactly(count: usize) -> Allowed {
-    Allowed::Between(count as f64, count as f64)
+fn exactly(count: usize) -> AllowedRange {
+    AllowedRange::Between(count as f64, count as f64)
 }
 
-fn bounds(kind: &str, allowed: Allowed) -> Value {
+fn bounds(kind: &str, allowed: AllowedRange) -> Value {
     let (least, most, low, high) = match allowed {
-        Allowed::Between(low, high) => ("minimum", "maximum", low, high),
-        Allowed::Above(low, high) => ("exclusiveMinimum", "maximum", low, high),
-        Allowed::Inside(low, high) => ("exclusiveMinimum", "exclusiveMaximum", low, high),
-        Allowed::Below(low, high) => ("minimum", "exclusiveMaximum", low, high),
+        AllowedRange::Between(low, high) => ("minimum", "maximum", low, high),
+        AllowedRange::Above(low, high) => ("exclusiveMinimum", "maximum", low, high),
+        AllowedRange::Inside(low, high) => ("exclusiveMinimum", "exclusiveMaximum", low, high),
+        AllowedRange::Below(low, high) => ("minimum", "exclusiveMaximum", low, high),
     };
     json!({ "type": kind, least: shortest(low), most: shortest(high) })
 }
@@ -486,9 +486,9 @@ fn shortest(value: f64) -> Value {
     if value.fract() == 0.0 && value.abs() <= i64::MAX as f64 { (value as i64).into() } else { value.into() }
 }
 
-fn list(items: &Value, length: Allowed) -> Value {
+fn list(items: &Value, length: AllowedRange) -> Value {
     let mut list = json!({ "type": "array", "items": items });
-    if let Allowed::Between(least, most) = length {
+    if let AllowedRange::Between(least, most) = length {
         list["minItems"] = shortest(least);
         list["maxItems"] = shortest(most);
     }

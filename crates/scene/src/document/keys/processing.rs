@@ -1,14 +1,14 @@
 //! `[noise]` and `[dsp]`.
 
-use crate::document::keys::key::{Key, Or, Table};
-use crate::document::keys::kinds::{Counts, Like, Number, Text, Words};
-use crate::wording::allowed::Allowed::{Above, Between};
+use crate::document::keys::key::{DefaultValue, Key, Table};
+use crate::document::keys::kinds::{Choice, ChoiceOrPattern, IntegerVector, Number, Text};
+use crate::wording::allowed_range::AllowedRange::{Above, Between};
 use artifact::settings::{Angle, Detector, FALSE_ALARM_RATES, Refine, StaticEchoes, Window};
 
-const CELLS: Counts<2> = Counts(Between(0.0, 65536.0));
+const CELLS: IntegerVector<2> = IntegerVector(Between(0.0, 65536.0));
 
-const WINDOWS: Like<Window> = Like {
-    words: Words(|| {
+const WINDOWS: ChoiceOrPattern<Window> = ChoiceOrPattern {
+    words: Choice(|| {
         vec![
             ("rect", Window::Rect),
             ("hann", Window::Hann),
@@ -41,8 +41,8 @@ pub(crate) const NOISE_FIGURE: Key<Number> = Key::new(
     "dB: complex white noise of power k·T·F·sample rate per sample",
 );
 
-pub(crate) const TEMPERATURE: Key<Number, Or<f64>> =
-    Key::new("temperature_k", Number(Above(0.0, 1e6)), "K, with `noise_figure_db`").or(290.0);
+pub(crate) const TEMPERATURE: Key<Number, DefaultValue<f64>> =
+    Key::new("temperature_k", Number(Above(0.0, 1e6)), "K, with `noise_figure_db`").with_default(290.0);
 
 pub(crate) const SNR: Key<Number> = Key::new(
     "snr_db",
@@ -74,15 +74,15 @@ pub(crate) const DSP: Table = Table {
     ],
 };
 
-pub(crate) const RANGE_WINDOW: Key<Like<Window>, Or<Window>> =
-    Key::new("range_window", WINDOWS, "taper over the samples of a chirp").or(Window::Hann);
+pub(crate) const RANGE_WINDOW: Key<ChoiceOrPattern<Window>, DefaultValue<Window>> =
+    Key::new("range_window", WINDOWS, "taper over the samples of a chirp").with_default(Window::Hann);
 
-pub(crate) const DOPPLER_WINDOW: Key<Like<Window>, Or<Window>> =
-    Key::new("doppler_window", WINDOWS, "taper over chirps").or(Window::Hann).allowed("the same");
+pub(crate) const DOPPLER_WINDOW: Key<ChoiceOrPattern<Window>, DefaultValue<Window>> =
+    Key::new("doppler_window", WINDOWS, "taper over chirps").with_default(Window::Hann).allowed("the same");
 
-pub(crate) const DETECTOR: Key<Words<Detector>, Or<Detector>> = Key::new(
+pub(crate) const DETECTOR: Key<Choice<Detector>, DefaultValue<Detector>> = Key::new(
     "detector",
-    Words(|| {
+    Choice(|| {
         vec![
             ("ca-cfar", Detector::CaCfar),
             ("go-cfar", Detector::GoCfar),
@@ -94,44 +94,44 @@ pub(crate) const DETECTOR: Key<Words<Detector>, Or<Detector>> = Key::new(
      and behind in range (along Doppler where training is [n, 0]); from the training cell of rank ¾N. \
      Every range cell has its own threshold",
 )
-.or(Detector::CaCfar);
+.with_default(Detector::CaCfar);
 
-pub(crate) const FALSE_ALARM_RATE: Key<Number, Or<f64>> = Key::new(
+pub(crate) const FALSE_ALARM_RATE: Key<Number, DefaultValue<f64>> = Key::new(
     "false_alarm_rate",
     Number(Between(*FALSE_ALARM_RATES.start(), *FALSE_ALARM_RATES.end())),
     "asked of every tested cell",
 )
-.or(1e-5);
+.with_default(1e-5);
 
-pub(crate) const GUARD_CELLS: Key<Counts<2>, Or<[u64; 2]>> =
+pub(crate) const GUARD_CELLS: Key<IntegerVector<2>, DefaultValue<[u64; 2]>> =
     Key::new("guard_cells", CELLS, "[Doppler, range] cells on each side that stay out of the noise estimate")
-        .or([2, 2]);
+        .with_default([2, 2]);
 
 /// Training cells: 13 × 21 cells less 5 × 5 of guard: 248, a CFAR loss of about 0.1 dB at 1e-5 (Richards
 /// 2014).
-pub(crate) const TRAINING_CELLS: Key<Counts<2>, Or<[u64; 2]>> =
+pub(crate) const TRAINING_CELLS: Key<IntegerVector<2>, DefaultValue<[u64; 2]>> =
     Key::new("training_cells", CELLS, "[Doppler, range] cells on each side, beyond the guard, that make it")
-        .or([4, 8]);
+        .with_default([4, 8]);
 
-pub(crate) const ANGLE: Key<Words<Angle>, Or<Angle>> = Key::new(
+pub(crate) const ANGLE: Key<Choice<Angle>, DefaultValue<Angle>> = Key::new(
     "angle",
-    Words(|| vec![("fft", Angle::Fft), ("max-likelihood", Angle::MaximumLikelihood)]),
+    Choice(|| vec![("fft", Angle::Fft), ("max-likelihood", Angle::MaximumLikelihood)]),
     "one direction a cell, the strongest beam; or up to three echoes a cell, told apart from about a \
      third of a beam on, by maximum likelihood on the one snapshot, any array with or without elevation \
      rows: each is a point of its own ([validation/super-resolution.md](validation/super-resolution.md))",
 )
-.or(Angle::Fft);
+.with_default(Angle::Fft);
 
-pub(crate) const REFINE: Key<Words<Refine>, Or<Refine>> = Key::new(
+pub(crate) const REFINE: Key<Choice<Refine>, DefaultValue<Refine>> = Key::new(
     "refine",
-    Words(|| vec![("off", Refine::Off), ("on", Refine::Isolated)]),
+    Choice(|| vec![("off", Refine::Off), ("on", Refine::Isolated)]),
     "\"on\": peaks that stand alone (what others add stays within 0.4 dB of the bound, and nothing like a \
      second echo is left beside the fitted one) get range, velocity and direction by maximum likelihood \
      on the unwindowed samples, within 1 dB of the Cramér–Rao bound \
      ([validation/estimates.md](validation/estimates.md)). Needs the cube: `classify`, which reads maps \
      alone, keeps their peaks",
 )
-.or(Refine::Off);
+.with_default(Refine::Off);
 
 pub(crate) const CALIBRATION: Key<Text> = Key::new(
     "calibration",
@@ -140,30 +140,30 @@ pub(crate) const CALIBRATION: Key<Text> = Key::new(
      found on values that are freed of them; detection and maps stay as they are",
 );
 
-pub(crate) const STATIC: Key<Words<StaticEchoes>, Or<StaticEchoes>> = Key::new(
+pub(crate) const STATIC: Key<Choice<StaticEchoes>, DefaultValue<StaticEchoes>> = Key::new(
     "static",
-    Words(|| [StaticEchoes::Keep, StaticEchoes::Mark, StaticEchoes::Remove].map(|s| (s.name(), s)).to_vec()),
+    Choice(|| [StaticEchoes::Keep, StaticEchoes::Mark, StaticEchoes::Remove].map(|s| (s.name(), s)).to_vec()),
     "echoes at rest (ground, kerbs, rails; vehicles that wait): points and objects like others; the same, \
      told to be at rest; or left out before objects are formed, and waiting vehicles with them. At rest \
      is what is slower than half a Doppler cell and what its estimate errs by: \
      [decisions/static-echoes.md](decisions/static-echoes.md)",
 )
-.or(StaticEchoes::Keep);
+.with_default(StaticEchoes::Keep);
 
-pub(crate) const NEAREST: Key<Number, Or<f64>> = Key::new(
+pub(crate) const NEAREST: Key<Number, DefaultValue<f64>> = Key::new(
     "nearest_m",
     Number(Between(0.0, 1e6)),
     "m: nothing nearer is detected; a real radar hears its own transmitters there, in its first range cells. \
      Cells stay in the map, and in the noise estimate of those behind",
 )
-.or(0.0);
+.with_default(0.0);
 
-pub(crate) const ASSUMED_HEIGHT: Key<Number, Or<f64>> = Key::new(
+pub(crate) const ASSUMED_HEIGHT: Key<Number, DefaultValue<f64>> = Key::new(
     "assumed_height_m",
     Number(Between(-100.0, 100.0)),
     "m: height of points where the array has no elevation rows",
 )
-.or(0.75);
+.with_default(0.75);
 
 /// Distances within which detections can join one object.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -181,14 +181,14 @@ const VEHICLES: ClusterReach = ClusterReach { range_m: 2.5, cross_m: 2.5 };
 /// FHWA-RD-98-107, 1998, §2.1).
 const PEOPLE: ClusterReach = ClusterReach { range_m: 0.6, cross_m: 0.8 };
 
-pub(crate) const CLUSTER: Key<Words<ClusterReach>, Or<ClusterReach>> = Key::new(
+pub(crate) const CLUSTER: Key<Choice<ClusterReach>, DefaultValue<ClusterReach>> = Key::new(
     "cluster",
-    Words(|| vec![("vehicles", VEHICLES), ("people", PEOPLE)]),
+    Choice(|| vec![("vehicles", VEHICLES), ("people", PEOPLE)]),
     "whose detections are to form objects: the defaults of `cluster_range_m` and `cluster_cross_m`. People \
      are smaller and closer together; their limbs stay within the same `cluster_velocity_mps` of the trunk \
      as the parts of a vehicle",
 )
-.or(VEHICLES);
+.with_default(VEHICLES);
 
 pub(crate) const CLUSTER_RANGE: Key<Number> = Key::new(
     "cluster_range_m",
@@ -197,8 +197,8 @@ pub(crate) const CLUSTER_RANGE: Key<Number> = Key::new(
 )
 .absent("2.5; of people 0.6");
 
-pub(crate) const CLUSTER_VELOCITY: Key<Number, Or<f64>> =
-    Key::new("cluster_velocity_mps", Number(Above(0.0, 1e3)), "m/s, likewise").or(1.0);
+pub(crate) const CLUSTER_VELOCITY: Key<Number, DefaultValue<f64>> =
+    Key::new("cluster_velocity_mps", Number(Above(0.0, 1e3)), "m/s, likewise").with_default(1.0);
 
 pub(crate) const CLUSTER_CROSS: Key<Number> =
     Key::new("cluster_cross_m", Number(Above(0.0, 1e3)), "m across the line of sight, likewise")

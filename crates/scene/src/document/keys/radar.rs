@@ -1,13 +1,13 @@
 //! `[radar]`, `[radar.link]` and `[[radars]]`.
 
 use crate::document::keys::array::ARRAY;
-use crate::document::keys::key::{Key, Or, Table};
-use crate::document::keys::kinds::{Below, Name, Number, Vector};
+use crate::document::keys::key::{DefaultValue, Key, Table};
+use crate::document::keys::kinds::{Name, Number, Subtables, Vector};
 use crate::document::keys::lanes::RADAR_INTERSECTION;
 use crate::document::keys::receiver::{INTERFERER, RECEIVER};
 use crate::document::keys::waveform::WAVEFORM;
 use crate::document::ranges::COORDINATES_M;
-use crate::wording::allowed::Allowed::Between;
+use crate::wording::allowed_range::AllowedRange::Between;
 
 const THE_NEXT_TABLES: &str = "the next six tables";
 
@@ -19,45 +19,47 @@ pub(crate) const RADAR: Table = Table {
         &POSITION,
         &BORESIGHT_AZ,
         &BORESIGHT_EL,
-        &OF_WAVEFORM,
-        &OF_ARRAY,
-        &OF_LINK,
-        &OF_RECEIVER,
-        &OF_INTERFERER,
-        &OF_INTERSECTION,
+        &WAVEFORM_KEY,
+        &ARRAY_KEY,
+        &LINK_KEY,
+        &RECEIVER_KEY,
+        &INTERFERER_KEY,
+        &INTERSECTION_KEY,
     ],
 };
 
-pub(crate) const POSITION: Key<Vector<3>, Or<[f64; 3]>> = Key::new(
+pub(crate) const POSITION: Key<Vector<3>, DefaultValue<[f64; 3]>> = Key::new(
     "position_m",
     Vector(COORDINATES_M),
     "m, world: the mean of the transmit row and that of the receive row",
 )
-.or([0.0, 0.0, 6.0]);
+.with_default([0.0, 0.0, 6.0]);
 
-pub(crate) const BORESIGHT_AZ: Key<Number, Or<f64>> = Key::new(
+pub(crate) const BORESIGHT_AZ: Key<Number, DefaultValue<f64>> = Key::new(
     "boresight_az_deg",
     Number(Between(-360.0, 360.0)),
     "degrees from +y towards +x; azimuths of points are measured the same way",
 )
-.or(0.0);
+.with_default(0.0);
 
-pub(crate) const BORESIGHT_EL: Key<Number, Or<f64>> =
-    Key::new("boresight_el_deg", Number(Between(-90.0, 90.0)), "degrees above the horizon").or(0.0);
+pub(crate) const BORESIGHT_EL: Key<Number, DefaultValue<f64>> =
+    Key::new("boresight_el_deg", Number(Between(-90.0, 90.0)), "degrees above the horizon").with_default(0.0);
 
-pub(crate) const OF_WAVEFORM: Key<Below> = Key::new("waveform", Below::one(&WAVEFORM), THE_NEXT_TABLES);
+pub(crate) const WAVEFORM_KEY: Key<Subtables> =
+    Key::new("waveform", Subtables::one(&WAVEFORM), THE_NEXT_TABLES);
 
-pub(crate) const OF_ARRAY: Key<Below> = Key::new("array", Below::one(&ARRAY), THE_NEXT_TABLES);
+pub(crate) const ARRAY_KEY: Key<Subtables> = Key::new("array", Subtables::one(&ARRAY), THE_NEXT_TABLES);
 
-pub(crate) const OF_LINK: Key<Below> = Key::new("link", Below::one(&LINK), THE_NEXT_TABLES);
+pub(crate) const LINK_KEY: Key<Subtables> = Key::new("link", Subtables::one(&LINK), THE_NEXT_TABLES);
 
-pub(crate) const OF_RECEIVER: Key<Below> = Key::new("receiver", Below::one(&RECEIVER), THE_NEXT_TABLES);
+pub(crate) const RECEIVER_KEY: Key<Subtables> =
+    Key::new("receiver", Subtables::one(&RECEIVER), THE_NEXT_TABLES);
 
-pub(crate) const OF_INTERFERER: Key<Below> =
-    Key::new("interferer", Below::several(&INTERFERER), THE_NEXT_TABLES);
+pub(crate) const INTERFERER_KEY: Key<Subtables> =
+    Key::new("interferer", Subtables::several(&INTERFERER), THE_NEXT_TABLES);
 
-pub(crate) const OF_INTERSECTION: Key<Below> =
-    Key::new("intersection", Below::one(&RADAR_INTERSECTION), THE_NEXT_TABLES);
+pub(crate) const INTERSECTION_KEY: Key<Subtables> =
+    Key::new("intersection", Subtables::one(&RADAR_INTERSECTION), THE_NEXT_TABLES);
 
 /// An entry of `[[radars]]`.
 pub(crate) const RADARS: Table = Table {
@@ -91,23 +93,23 @@ pub(crate) const OWN_BORESIGHT_AZ: Key<Number> =
 pub(crate) const OWN_BORESIGHT_EL: Key<Number> =
     Key::new("boresight_el_deg", BORESIGHT_EL.takes, "as there").absent("those of [radar]").allowed("");
 
-pub(crate) const OWN_WAVEFORM: Key<Below> =
-    Key::new("waveform", OF_WAVEFORM.takes, "tables as those below [radar]").absent("those of [radar]");
+pub(crate) const OWN_WAVEFORM: Key<Subtables> =
+    Key::new("waveform", WAVEFORM_KEY.takes, "tables as those below [radar]").absent("those of [radar]");
 
-pub(crate) const OWN_ARRAY: Key<Below> =
-    Key::new("array", OF_ARRAY.takes, "tables as those below [radar]").absent("those of [radar]");
+pub(crate) const OWN_ARRAY: Key<Subtables> =
+    Key::new("array", ARRAY_KEY.takes, "tables as those below [radar]").absent("those of [radar]");
 
-pub(crate) const OWN_LINK: Key<Below> =
-    Key::new("link", OF_LINK.takes, "tables as those below [radar]").absent("those of [radar]");
+pub(crate) const OWN_LINK: Key<Subtables> =
+    Key::new("link", LINK_KEY.takes, "tables as those below [radar]").absent("those of [radar]");
 
-pub(crate) const OWN_RECEIVER: Key<Below> =
-    Key::new("receiver", OF_RECEIVER.takes, "tables as those below [radar]").absent("those of [radar]");
+pub(crate) const OWN_RECEIVER: Key<Subtables> =
+    Key::new("receiver", RECEIVER_KEY.takes, "tables as those below [radar]").absent("those of [radar]");
 
-pub(crate) const OWN_INTERFERER: Key<Below> =
-    Key::new("interferer", OF_INTERFERER.takes, "tables as those below [radar]").absent("those of [radar]");
+pub(crate) const OWN_INTERFERER: Key<Subtables> =
+    Key::new("interferer", INTERFERER_KEY.takes, "tables as those below [radar]").absent("those of [radar]");
 
-pub(crate) const OWN_INTERSECTION: Key<Below> =
-    Key::new("intersection", OF_INTERSECTION.takes, "tables as those below [radar]")
+pub(crate) const OWN_INTERSECTION: Key<Subtables> =
+    Key::new("intersection", INTERSECTION_KEY.takes, "tables as those below [radar]")
         .absent("those of [radar]");
 
 pub(crate) const LINK: Table = Table {
@@ -117,12 +119,13 @@ pub(crate) const LINK: Table = Table {
     keys: &[&TRANSMIT_POWER, &ANTENNA_GAIN],
 };
 
-pub(crate) const TRANSMIT_POWER: Key<Number, Or<f64>> =
-    Key::new("transmit_power_dbm", Number(Between(-200.0, 200.0)), "dBm of each transmitter").or(12.0);
+pub(crate) const TRANSMIT_POWER: Key<Number, DefaultValue<f64>> =
+    Key::new("transmit_power_dbm", Number(Between(-200.0, 200.0)), "dBm of each transmitter")
+        .with_default(12.0);
 
-pub(crate) const ANTENNA_GAIN: Key<Number, Or<f64>> = Key::new(
+pub(crate) const ANTENNA_GAIN: Key<Number, DefaultValue<f64>> = Key::new(
     "antenna_gain_dbi",
     Number(Between(-100.0, 100.0)),
     "dBi of each transmit and each receive element at boresight",
 )
-.or(10.0);
+.with_default(10.0);

@@ -1,9 +1,9 @@
 //! `[radar.receiver]` and `[[radar.interferer]]`.
 
-use crate::document::keys::key::{Key, Or, Table};
-use crate::document::keys::kinds::{Number, Pair, Pairs, Vector, Whole, Words};
+use crate::document::keys::key::{DefaultValue, Key, Table};
+use crate::document::keys::kinds::{Choice, Integer, Number, Pair, Pairs, Vector};
 use crate::document::ranges::{COORDINATES_M, VELOCITIES_MPS};
-use crate::wording::allowed::Allowed::{Above, Between};
+use crate::wording::allowed_range::AllowedRange::{Above, Between};
 use artifact::radar::Sampling;
 
 /// Phase-noise levels: offsets from the carrier up to a terahertz, levels below the carrier's.
@@ -16,17 +16,17 @@ pub(crate) const RECEIVER: Table = Table {
     keys: &[&SAMPLING, &ADC_BITS, &FULL_SCALE, &PHASE_NOISE],
 };
 
-pub(crate) const SAMPLING: Key<Words<Sampling>, Or<Sampling>> = Key::new(
+pub(crate) const SAMPLING: Key<Choice<Sampling>, DefaultValue<Sampling>> = Key::new(
     "sampling",
-    Words(|| vec![("complex", Sampling::Complex), ("real", Sampling::Real)]),
+    Choice(|| vec![("complex", Sampling::Complex), ("real", Sampling::Real)]),
     "\"real\": a mixer without Q channel: imaginary parts of all samples are 0, signal to noise is 3 dB \
      less, and maps have the half of the range cells that is not the other's image",
 )
-.or(Sampling::Complex);
+.with_default(Sampling::Complex);
 
-pub(crate) const ADC_BITS: Key<Whole> = Key::new(
+pub(crate) const ADC_BITS: Key<Integer> = Key::new(
     "adc_bits",
-    Whole(Between(1.0, 24.0)),
+    Integer(Between(1.0, 24.0)),
     "with `full_scale_dbm`: each part of a complex sample is rounded to one of 2^bits codes, after the \
      noise; left out: samples are not rounded",
 );
@@ -60,8 +60,8 @@ pub(crate) const POSITION: Key<Vector<3>> = Key::new(
 )
 .required();
 
-pub(crate) const VELOCITY: Key<Vector<3>, Or<[f64; 3]>> =
-    Key::new("velocity_mps", Vector(VELOCITIES_MPS), "m/s, world, constant").or([0.0; 3]);
+pub(crate) const VELOCITY: Key<Vector<3>, DefaultValue<[f64; 3]>> =
+    Key::new("velocity_mps", Vector(VELOCITIES_MPS), "m/s, world, constant").with_default([0.0; 3]);
 
 pub(crate) const EIRP: Key<Number> = Key::new(
     "eirp_dbm",
@@ -70,27 +70,27 @@ pub(crate) const EIRP: Key<Number> = Key::new(
 )
 .required();
 
-pub(crate) const START_FREQUENCY: Key<Number, Or<f64>> =
+pub(crate) const START_FREQUENCY: Key<Number, DefaultValue<f64>> =
     Key::new("start_frequency_ghz", Number(Between(0.1, 1000.0)), "GHz at the beginning of its chirps")
-        .or(77.0);
+        .with_default(77.0);
 
-pub(crate) const SLOPE: Key<Number, Or<f64>> =
-    Key::new("slope_mhz_per_us", Number(Between(-1e4, 1e4)), "MHz/µs; 0 is a tone").or(12.5);
+pub(crate) const SLOPE: Key<Number, DefaultValue<f64>> =
+    Key::new("slope_mhz_per_us", Number(Between(-1e4, 1e4)), "MHz/µs; 0 is a tone").with_default(12.5);
 
 /// Sweep duration of at least a tenth of a microsecond: no radar sends more chirps within one of ours.
-pub(crate) const SWEEP: Key<Number, Or<f64>> =
-    Key::new("sweep_us", Number(Between(0.1, 1e6)), "µs: length of its chirps").or(50.0);
+pub(crate) const SWEEP: Key<Number, DefaultValue<f64>> =
+    Key::new("sweep_us", Number(Between(0.1, 1e6)), "µs: length of its chirps").with_default(50.0);
 
-pub(crate) const CHIRP_INTERVAL: Key<Number, Or<f64>> = Key::new(
+pub(crate) const CHIRP_INTERVAL: Key<Number, DefaultValue<f64>> = Key::new(
     "chirp_interval_us",
     Number(Between(0.1, 1e6)),
     "µs from one chirp's beginning to the next's; not shorter than a chirp",
 )
-.or(60.0);
+.with_default(60.0);
 
-pub(crate) const OFFSET: Key<Number, Or<f64>> = Key::new(
+pub(crate) const OFFSET: Key<Number, DefaultValue<f64>> = Key::new(
     "offset_us",
     Number(Between(-1e9, 1e9)),
     "µs after the first frame's first sample at which one of its chirps begins",
 )
-.or(0.0);
+.with_default(0.0);

@@ -1,9 +1,9 @@
 //! `[traffic]` and its `models`.
 
 use crate::document::keys::bodies;
-use crate::document::keys::key::{Key, Or, Table};
-use crate::document::keys::kinds::{Below, Number, TableForm, Text, Texts, Whole, Words};
-use crate::wording::allowed::Allowed::{Above, Between};
+use crate::document::keys::key::{DefaultValue, Key, Table};
+use crate::document::keys::kinds::{Choice, Integer, Number, Subtables, TableForm, Text, Texts};
+use crate::wording::allowed_range::AllowedRange::{Above, Between};
 use artifact::settings::Class;
 
 pub(crate) const TRAFFIC: Table = Table {
@@ -50,9 +50,9 @@ pub(crate) const END: Key<Number> = Key::new(
     "of the last frame at most; left out: the recording's last step",
 );
 
-pub(crate) const MODELS: Key<Below> = Key::new(
+pub(crate) const MODELS: Key<Subtables> = Key::new(
     "models",
-    Below { form: TableForm::NamedOrTexts, table: &MODEL_OF_TYPE },
+    Subtables { form: TableForm::NamedOrTexts, table: &MODEL_OF_TYPE },
     "for each vType its model: a name as a target's `model`, a list of which every vehicle takes one \
      (always the same for the same id), or a table as below",
 );
@@ -64,21 +64,21 @@ pub(crate) const VIEW_RANGE: Key<Number> = Key::new(
      beyond which beat frequencies fold",
 );
 
-pub(crate) const VIEW_NEAREST: Key<Number, Or<f64>> = Key::new(
+pub(crate) const VIEW_NEAREST: Key<Number, DefaultValue<f64>> = Key::new(
     "view_nearest_m",
     Number(Between(0.0, 1e5)),
     "m on the ground: bodies that reach nearer to the radar's foot stand below its beam and are not in \
      view. A roof a metre or two below the antenna is larger than its distance, and takes hundreds of \
      thousands of paths",
 )
-.or(0.0);
+.with_default(0.0);
 
-pub(crate) const VIEW_HALF_ANGLE: Key<Number, Or<f64>> = Key::new(
+pub(crate) const VIEW_HALF_ANGLE: Key<Number, DefaultValue<f64>> = Key::new(
     "view_half_angle_deg",
     Number(Above(0.0, 180.0)),
     "degrees off the boresight to either side; 90 is the half plane that the array faces",
 )
-.or(90.0);
+.with_default(90.0);
 
 /// Each entry of `models` in `[traffic]` that is a table.
 pub(crate) const MODEL_OF_TYPE: Table = Table {
@@ -91,14 +91,14 @@ pub(crate) const MODEL_OF_TYPE: Table = Table {
 pub(crate) const MODEL: Key<Texts> =
     Key::new("model", Texts("a name or a list of names"), "as a target's").required();
 
-pub(crate) const CLASS: Key<Words<Class>> =
+pub(crate) const CLASS: Key<Choice<Class>> =
     Key::new("class", bodies::CLASS.takes, "truth for the classifier")
         .absent("the vehicle's")
         .allowed("as a target's");
 
-pub(crate) const VEHICLE_SEED: Key<Whole, Or<u64>> =
+pub(crate) const VEHICLE_SEED: Key<Integer, DefaultValue<u64>> =
     Key::new("vehicle_seed", bodies::VEHICLE_SEED.takes, "of the project's vehicles")
-        .or(0)
+        .with_default(0)
         .allowed("as a target's");
 
 pub(crate) const UNIT_SCALE: Key<Number> =

@@ -14,7 +14,7 @@ use pipeline::chain::stages::Stage;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::host::progress;
-use radar::lattice::tells_azimuth;
+use radar::lattice::resolves_azimuth;
 use reporting::console_lines::{WITHOUT_AZIMUTH, WITHOUT_NOISE, without_height};
 use reporting::pictures;
 use std::path::{Path, PathBuf};
@@ -58,7 +58,7 @@ pub(crate) fn run(arguments: &DspArguments) -> Result<(), Failure> {
     if !has_noise(&header) {
         terminal::line(WITHOUT_NOISE);
     }
-    if !tells_azimuth(&header.radar) {
+    if !resolves_azimuth(&header.radar) {
         terminal::line(WITHOUT_AZIMUTH);
     }
     products.finish()
@@ -80,12 +80,12 @@ struct DspProducts<'a> {
 impl DspProducts<'_> {
     /// Writes the records of a cycle, whose points resolve each other's velocities.
     fn write(&mut self, cycle: Vec<(RdmFrame, PointsFrame)>) -> Result<(), Failure> {
-        files::outdate(std::mem::take(&mut self.earlier))?;
+        files::remove_outdated(std::mem::take(&mut self.earlier))?;
         let (rdms, points): (Vec<_>, Vec<_>) = cycle.into_iter().unzip();
         for (rdm, points) in rdms.iter().zip(self.receiver.resolved(points)) {
             let tracks = self.tracker.step(&points).map_err(Failure::refused)?;
             tell(rdm, &points, &tracks);
-            terminal::call_off().check()?;
+            terminal::cancellation().check()?;
             if let Some(folder) = &self.pictures {
                 pictures::of_map(self.header, rdm, &points, folder)?;
             }
@@ -130,8 +130,8 @@ struct SettingsOfScene {
 }
 
 fn settings_of(file: &Path, radar: Option<&str>) -> Result<SettingsOfScene, Failure> {
-    let files = scene::inputs_but_models(file, &[], radar).map_err(loading::of_scene)?;
-    let (scene, hashed) = loading::read_of(&files, || loading::radar_only(file, radar))?;
+    let files = scene::inputs_without_models(file, &[], radar).map_err(loading::scene_failure)?;
+    let (scene, hashed) = loading::read_hashed(&files, || loading::radar_only(file, radar))?;
     Ok(SettingsOfScene { settings: scene.dsp, noise: scene.noise, hashed })
 }
 

@@ -14,13 +14,13 @@ use pipeline::chain::link::Chain;
 use pipeline::chain::loading::{self, LoadedScene, provenance};
 use pipeline::chain::plan::FramePlan;
 use pipeline::chain::stages::Stage;
-use pipeline::host::call_off::CallOff;
+use pipeline::host::cancellation::Cancellation;
 use pipeline::host::failure::Failure;
 use pipeline::host::memory::Allowance;
 use pipeline::host::progress::{self, FrameStage};
 use pipeline::outcome::verdict::{self, Verdict};
 use pipeline::planning::{self, PlannedScene};
-use scene::SaidPhysics;
+use scene::PhysicsKeys;
 use std::path::Path;
 
 pub(crate) fn run(arguments: &EchoArguments, memory: Allowance) -> Result<(), Failure> {
@@ -30,7 +30,7 @@ pub(crate) fn run(arguments: &EchoArguments, memory: Allowance) -> Result<(), Fa
         loaded.header.fidelity.echo = EchoMode::Paths;
     }
     let chain = Chain::of(&loaded.header, None, None, memory);
-    let mut traced = loading::seen(arguments.paths.as_slice())?;
+    let mut traced = loading::file_states(arguments.paths.as_slice())?;
     let of_paths = traced.iter().map(|file| file.named().clone());
     let files = loaded.files.iter().cloned().chain(of_paths).collect();
     let from = provenance(Stage::FmcwEcho, &loaded.header, files);
@@ -41,8 +41,8 @@ pub(crate) fn run(arguments: &EchoArguments, memory: Allowance) -> Result<(), Fa
     };
     loading::check_unchanged(&mut traced)?;
     writer.finish()?;
-    let in_plan = |(frame, verdict): (u32, Verdict)| (frame, verdict.in_plan(plan.as_ref()));
-    let told: Verdicts = told.into_iter().map(in_plan).collect();
+    let with_plan = |(frame, verdict): (u32, Verdict)| (frame, verdict.with_plan(plan.as_ref()));
+    let told: Verdicts = told.into_iter().map(with_plan).collect();
     verdict::of_frames(&told).into_iter().for_each(terminal::line);
     Ok(())
 }
@@ -61,7 +61,7 @@ fn from_scene(chain: &Chain, writer: &mut Writer<Cube>) -> Result<Verdicts, Fail
         Ok(writer.write(&echo.cube)?)
     };
     let stages = [FrameStage::Scattering, FrameStage::Echo];
-    each_frame(chain, (&chain.plans(), &stages), &CallOff::default(), echo, write)?;
+    each_frame(chain, (&chain.plans(), &stages), &Cancellation::default(), echo, write)?;
     Ok(told)
 }
 
@@ -75,15 +75,15 @@ impl Echo {
     fn of(chain: &Chain, scene: &SceneFrame, scattering: &Scattering) -> Result<Self, Failure> {
         let cube = chain.synthesize(scene, scattering)?;
         let (error, model_error) = scattering.error();
-        let error = error.joined(cube.error);
+        let error = error.merged(cube.error);
         let verdict = Verdict::of_paths(&chain.header.fidelity, &error, scattering.paths());
-        Ok(Self { cube, verdict: verdict.beside(&model_error) })
+        Ok(Self { cube, verdict: verdict.with_model_error(&model_error) })
     }
 }
 
 fn from_paths(
     chain: &Chain,
-    (loaded, said): (&LoadedScene, &SaidPhysics),
+    (loaded, said): (&LoadedScene, &PhysicsKeys),
     file: &Path,
     writer: &mut Writer<Cube>,
 ) -> Result<Verdicts, Failure> {

@@ -6,7 +6,7 @@ use crate::program::export_formats::{Export, export_of, formats_of, is_set, name
 use crate::program::option_words::{AxesWord, FormatWord};
 use artifact::{Reader, Schema, read_preamble};
 use formats::export::{parquet, rdm};
-use formats::heights::Heights;
+use formats::height_source::HeightSource;
 use pipeline::host::failure::Failure;
 use pipeline::host::progress;
 use std::path::Path;
@@ -33,7 +33,7 @@ pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Failure> {
         None => return Err(refuse(file, &schema, to)),
     }
     if schema == artifact::points::Points::NAME {
-        Heights::of(file)?.note(file).into_iter().for_each(progress::note);
+        HeightSource::of(file)?.note(file).into_iter().for_each(progress::note);
     }
     Ok(())
 }

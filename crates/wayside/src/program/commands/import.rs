@@ -8,16 +8,16 @@ use artifact::cube::{Cube, CubeFrame, CubeHeader, SampleUnit};
 use artifact::radar::Sampling;
 use artifact::scene::SceneHeader;
 use artifact::{ErrorBudget, Provenance, Writer};
-use formats::device_config::{self, Configured, DeviceSettings, scene_with};
+use formats::device_config::{self, ConfigFile, DeviceSettings, scene_with};
 use formats::devices::{IqOrder, Lanes};
 use formats::radar_cloud;
 use formats::raw_data::arrays;
 use formats::raw_data::dca1000;
 use formats::raw_data::sigmf;
 use formats::raw_data::uwcr;
-use formats::raw_data::{Imported, IntegerStep};
+use formats::raw_data::{ImportedFrames, IntegerStep};
 use num_complex::Complex32;
-use options::{Input, Kind};
+use options::{ImportKind, Input};
 use pipeline::chain::keys::cube_header;
 use pipeline::chain::loading::{self, provenance};
 use pipeline::chain::stages::Stage;
@@ -29,22 +29,22 @@ pub(crate) fn run(arguments: &ImportArguments) -> Result<(), Failure> {
     let input = Input::of(arguments)?;
     options::check(arguments, input.kind)?;
     let told_by = radar_files(arguments);
-    if input.kind == Kind::Clouds {
+    if input.kind == ImportKind::Clouds {
         let file = arguments.array.as_path();
         let read = || scene_of(arguments, settings_of(arguments)?.as_ref());
         return radar_cloud::import::points(file, &told_by, read, &arguments.out);
     }
     let files = [input.files.as_slice(), &told_by].concat();
     let beside = match input.kind {
-        Kind::CaptureCard => dca1000::descriptions(&arguments.array),
-        Kind::Array | Kind::Sigmf | Kind::Uwcr | Kind::Clouds => vec![],
+        ImportKind::CaptureCard => dca1000::descriptions(&arguments.array),
+        ImportKind::Array | ImportKind::Sigmf | ImportKind::Uwcr | ImportKind::Clouds => vec![],
     };
     let of_all = [files.as_slice(), &beside].concat();
     let (Samples { scene, header, frames, step }, mut hashed) =
-        loading::read_of(&of_all, || samples(arguments, &input))?;
+        loading::read_hashed(&of_all, || samples(arguments, &input))?;
     let of_beside = hashed.split_off(files.len());
     let is_told = |place: &Path| step.place() == Some(place);
-    hashed.extend(beside.iter().zip(of_beside).filter(|(place, _)| is_told(place)).map(|(_, told)| told));
+    hashed.extend(beside.iter().zip(of_beside).filter(|(place, _)| is_told(place)).map(|(_, named)| named));
     let from = provenance_of(arguments, &scene, (&step, header.unit), hashed);
     let mut writer = Writer::<Cube>::create(&arguments.out, &from, &header)?;
     let of = frames.len();
@@ -68,8 +68,8 @@ fn samples(arguments: &ImportArguments, input: &Input) -> Result<Samples, Failur
     let settings = settings_of(arguments)?;
     let scene = scene_of(arguments, settings.as_ref())?;
     let (file, mut header) = (arguments.array.as_path(), cube_header(&scene));
-    let Imported { frames, step } = match input.kind {
-        Kind::CaptureCard => {
+    let ImportedFrames { frames, step } = match input.kind {
+        ImportKind::CaptureCard => {
             if let (Some(file), Some(settings)) = (&arguments.config, &settings) {
                 device_config::check_stream(file, settings)?;
             }
@@ -80,14 +80,17 @@ fn samples(arguments: &ImportArguments, input: &Input) -> Result<Samples, Failur
             }
             imported
         }
-        Kind::Sigmf => sigmf::read(file, &header, arguments.step)?,
-        Kind::Uwcr => uwcr::read(&input.files, &header)?,
-        Kind::Array | Kind::Clouds => arrays::read(&input.files, &header)?,
+        ImportKind::Sigmf => sigmf::read(file, &header, arguments.step)?,
+        ImportKind::Uwcr => uwcr::read(&input.files, &header)?,
+        ImportKind::Array | ImportKind::Clouds => arrays::read(&input.files, &header)?,
     };
     options::check_samples(arguments, header.radar.waveform.sampling, &step)?;
-    let told = Told { full_scale: arguments.full_scale, bits: settings.as_ref().map(DeviceSettings::bits) };
+    let converter = ConverterProperties {
+        full_scale: arguments.full_scale,
+        bits: settings.as_ref().map(DeviceSettings::bits),
+    };
     let of_file = |failure: Failure| failure.about(file);
-    header.unit = unit_of(&step, &frames, told).map_err(of_file)?;
+    header.unit = unit_of(&step, &frames, converter).map_err(of_file)?;
     stepwise::check_parts(frames.iter().flatten(), header.radar.waveform.sampling).map_err(of_file)?;
     Ok(Samples { scene, header, frames, step })
 }
@@ -98,7 +101,7 @@ fn settings_of(arguments: &ImportArguments) -> Result<Option<DeviceSettings>, Fa
 }
 
 /// Properties of a converter, from the command and the configuration.
-struct Told {
+struct ConverterProperties {
     full_scale: Option<f64>,
     bits: Option<u32>,
 }
@@ -106,15 +109,19 @@ struct Told {
 /// Unit of samples: √W if a step is given, and for floats; otherwise the converter's step. Floats that are
 /// all whole numbers count as steps of an unknown converter too. The full scale is that of the command, else
 /// that of the step's file, else that of the configuration's bits.
-fn unit_of(step: &IntegerStep, frames: &[Vec<Complex32>], told: Told) -> Result<SampleUnit, Failure> {
+fn unit_of(
+    step: &IntegerStep,
+    frames: &[Vec<Complex32>],
+    converter: ConverterProperties,
+) -> Result<SampleUnit, Failure> {
     let of_bits = |bits: u32| f64::from(1 << (bits - 1));
-    Ok(match (step, told.full_scale) {
-        (IntegerStep::Asked(_) | IntegerStep::Told(..), _) => SampleUnit::RootWatts,
+    Ok(match (step, converter.full_scale) {
+        (IntegerStep::Given(_) | IntegerStep::Described(..), _) => SampleUnit::RootWatts,
         (IntegerStep::Unscaled, _) => SampleUnit::Steps,
         (_, Some(steps)) => SampleUnit::FullScale(steps),
-        (IntegerStep::Unknown, None) => SampleUnit::FullScale(of_bits(told.bits.unwrap_or(16))),
-        (IntegerStep::Counted { full_scale, .. }, None) => {
-            full_scale.or(told.bits.map(of_bits)).map_or(SampleUnit::Steps, SampleUnit::FullScale)
+        (IntegerStep::Unknown, None) => SampleUnit::FullScale(of_bits(converter.bits.unwrap_or(16))),
+        (IntegerStep::ConverterSteps { full_scale, .. }, None) => {
+            full_scale.or(converter.bits.map(of_bits)).map_or(SampleUnit::Steps, SampleUnit::FullScale)
         }
         (IntegerStep::Floats, None) => stepwise::unit_of_floats(frames.iter().flatten(), None)?,
     })
@@ -124,7 +131,7 @@ fn unit_of(step: &IntegerStep, frames: &[Vec<Complex32>], told: Told) -> Result<
 fn scene_of(arguments: &ImportArguments, settings: Option<&DeviceSettings>) -> Result<SceneHeader, Failure> {
     let (file, radar) = (arguments.scene.as_path(), arguments.radar.as_deref());
     match (settings, arguments.config.as_deref()) {
-        (Some(settings), Some(config)) => scene_with(file, radar, &Configured { file: config, settings }),
+        (Some(settings), Some(config)) => scene_with(file, radar, &ConfigFile { file: config, settings }),
         _ => loading::radar_only(file, radar),
     }
 }
@@ -166,9 +173,9 @@ fn radar_files(arguments: &ImportArguments) -> Vec<PathBuf> {
     let (scene, radar) = (arguments.scene.as_path(), arguments.radar.as_deref());
     let files = match (settings_of(arguments), arguments.config.as_deref()) {
         (Ok(Some(settings)), Some(file)) => {
-            device_config::files_with(scene, radar, &Configured { file, settings: &settings })
+            device_config::files_with(scene, radar, &ConfigFile { file, settings: &settings })
         }
-        _ => scene::inputs_but_models(scene, &[], radar).map_err(loading::of_scene),
+        _ => scene::inputs_without_models(scene, &[], radar).map_err(loading::scene_failure),
     };
     files.unwrap_or_else(|_| std::iter::once(scene.to_owned()).chain(arguments.config.clone()).collect())
 }
@@ -203,8 +210,8 @@ fn provenance_of(
         IntegerStep::Floats => return from,
         IntegerStep::Unscaled => "samples of a tensor, their factor not told".to_owned(),
         IntegerStep::Unknown => "sqrt_w_per_step not told: samples are steps".to_owned(),
-        IntegerStep::Asked(step) | IntegerStep::Told(step, _) => format!("sqrt_w_per_step {step}"),
-        IntegerStep::Counted { step, .. } => format!("adc_steps_per_step {step}"),
+        IntegerStep::Given(step) | IntegerStep::Described(step, _) => format!("sqrt_w_per_step {step}"),
+        IntegerStep::ConverterSteps { step, .. } => format!("adc_steps_per_step {step}"),
     };
     Provenance { settings: format!("{}, {told}", from.settings), ..from }
 }
@@ -239,7 +246,7 @@ mod tests {
         let arguments = arguments(folder.path(), &scene);
         let input = Input::of(&arguments).unwrap();
         write("b.npy");
-        assert_eq!((input.kind, input.files.len()), (Kind::Array, 1));
+        assert_eq!((input.kind, input.files.len()), (ImportKind::Array, 1));
         assert_eq!(samples(&arguments, &input).unwrap().frames.len(), 1);
     }
 }

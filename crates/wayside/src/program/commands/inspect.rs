@@ -1,7 +1,7 @@
 //! `inspect`: header, provenance, shape, units and a sanity line of any artifact.
 
 use crate::program::cli::InspectArguments;
-use crate::program::terminal::{call_off, line};
+use crate::program::terminal::{cancellation, line};
 use artifact::classes::Classes;
 use artifact::cube::{Cube, CubeHeader};
 use artifact::dataset::Dataset;
@@ -17,7 +17,7 @@ use artifact::{Preamble, Radar, Reader, Schema, read_preamble};
 use num_complex::Complex32;
 use pipeline::host::failure::Failure;
 use pipeline::host::progress;
-use radar::lattice::tells_azimuth;
+use radar::lattice::resolves_azimuth;
 use reporting::console_lines::{WITHOUT_AZIMUTH, WITHOUT_NOISE, without_height};
 use std::path::Path;
 
@@ -45,8 +45,8 @@ pub(crate) fn run(arguments: &InspectArguments) -> Result<(), Failure> {
 
 /// Frames of an artifact, as long as what is said of them can be printed.
 fn frames<S: Schema>(reader: Reader<S>) -> impl Iterator<Item = Result<S::Frame, Failure>> {
-    let call_off = call_off();
-    progress::frames(reader).map(move |frame| call_off.check().and_then(|()| Ok(frame?)))
+    let cancellation = cancellation();
+    progress::frames(reader).map(move |frame| cancellation.check().and_then(|()| Ok(frame?)))
 }
 
 /// Prints the line of a frame: its number and time, its content, and whether that is valid.
@@ -75,7 +75,7 @@ fn provenance(preamble: &Preamble) {
 }
 
 fn directions(radar: &Radar) {
-    if !tells_azimuth(radar) {
+    if !resolves_azimuth(radar) {
         line(format!("directions   {WITHOUT_AZIMUTH}"));
     }
 }

@@ -19,7 +19,7 @@ pub(crate) fn dispatch(command: LearningCommand, memory: Allowance) -> Result<()
     match command {
         LearningCommand::Dataset(arguments) => {
             if !arguments.dry_run {
-                interrupt::keeps("shards");
+                interrupt::declare_saved("shards");
             }
             dataset::run(&of_dataset(&arguments, memory)).map_err(|failure| failure.about(&arguments.spec))
         }

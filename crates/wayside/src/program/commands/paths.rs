@@ -11,7 +11,7 @@ use pipeline::chain::link::{Chain, artifact_headers};
 use pipeline::chain::loading::provenance;
 use pipeline::chain::plan::FramePlan;
 use pipeline::chain::stages::Stage;
-use pipeline::host::call_off::CallOff;
+use pipeline::host::cancellation::Cancellation;
 use pipeline::host::failure::Failure;
 use pipeline::host::memory::Allowance;
 use pipeline::host::progress::FrameStage;
@@ -31,12 +31,12 @@ pub(crate) fn run(arguments: &PathsArguments, memory: Allowance) -> Result<(), F
         if let Scattering::Paths(frame) = scattering.numbered_as_in(chain.header) {
             writer.write(&frame)?;
             let verdict = Verdict::of_paths(&loaded.header.fidelity, &frame.error, Some(&frame));
-            told.push((index, verdict.beside(&frame.model_error).in_plan(plan.as_ref())));
+            told.push((index, verdict.with_model_error(&frame.model_error).with_plan(plan.as_ref())));
         }
         Ok(())
     };
     let stages = [FrameStage::Scattering];
-    each_frame(&chain, (&chain.plans(), &stages), &CallOff::default(), traced, write)?;
+    each_frame(&chain, (&chain.plans(), &stages), &Cancellation::default(), traced, write)?;
     writer.finish()?;
     verdict::of_frames(&told).into_iter().for_each(terminal::line);
     Ok(())

@@ -15,11 +15,11 @@ use crate::program::interrupt;
 use crate::program::option_words::MethodWord;
 use crate::program::terminal;
 use crate::remarks;
-use crate::stepwise::{self, AskedReceiver, AskedTable, RcsTable, TableTook};
+use crate::stepwise::{self, RcsTable, RequestedReceiver, RequestedTable, TableTimings};
 use artifact::envelope::fingerprint;
 use artifact::scene::Mesh;
 use artifact::settings::NodeRule;
-use bart_rcs::{CalledOff, RcsRequest, Surroundings};
+use bart_rcs::{CancellationCheck, RcsContext, RcsRequest};
 use formats::sidecar;
 use pipeline::chain::stages::Stage;
 use pipeline::host::checkpoint::Checkpoint;
@@ -36,11 +36,11 @@ pub(crate) fn run(arguments: &RcsArguments, memory: Allowance) -> Result<(), Fai
     let (start, clock) = (Instant::now(), WorkClock::start());
     std::iter::once(&arguments.mesh)
         .chain(&arguments.materials)
-        .for_each(|file| artifact::inputs::note(file));
+        .for_each(|file| artifact::inputs::register_path(file));
     check(arguments)?;
-    let asked = asked(arguments);
-    stepwise::check_size(asked.shape())?;
-    let request = asked.request();
+    let requested = requested_table(arguments);
+    stepwise::check_size(requested.shape())?;
+    let request = requested.request();
     let mesh = progress::during(format!("reading {}", arguments.mesh.display()), || {
         dressed(stepwise::mesh(&arguments.mesh, arguments.unit_scale)?, arguments, &request)
     })?;
@@ -49,18 +49,18 @@ pub(crate) fn run(arguments: &RcsArguments, memory: Allowance) -> Result<(), Fai
     let load = clock.seconds();
     let checkpoint =
         progress::during("looking for an earlier run of this", || checkpoint(arguments, &mesh, &request));
-    interrupt::keeps_as_told("aspects", checkpoint.watch());
+    interrupt::declare_saved_as("aspects", checkpoint.watch());
     let table = match arguments.method {
         MethodWord::Bart => traced(&mesh, &request, &checkpoint, &clock, memory)?,
         MethodWord::Po | MethodWord::Sbr => {
             references::answer(arguments, &mesh, &request, &checkpoint, &clock)?
         }
     };
-    stepwise::write_values(&arguments.out, asked.shape(), &table.amplitude_m)?;
+    stepwise::write_values(&arguments.out, requested.shape(), &table.amplitude_m)?;
     let table = RcsTable { cached: checkpoint.aspects(), ..table };
     let samplings = arguments.pictures.then(|| Samplings::of(&mesh, &request));
-    let took = TableTook::since(start, &clock, load);
-    let mut described = stepwise::describe(&asked, &mesh, &table, &took);
+    let timings = TableTimings::since(start, &clock, load);
+    let mut described = stepwise::describe(&requested, &mesh, &table, &timings);
     described["pictures"] = samplings.as_ref().map_or(Value::Null, Samplings::json);
     sidecar::write_of_table(&arguments.out, &described)?;
     checkpoint.finish();
@@ -71,7 +71,7 @@ pub(crate) fn run(arguments: &RcsArguments, memory: Allowance) -> Result<(), Fai
     }
     let written = samplings.as_ref().map(|_| pictures::written(&request));
     pictures::remark_on_others(&arguments.out, &written.unwrap_or_default());
-    answer::tell(&table, &asked, &mesh, &arguments.out);
+    answer::tell(&table, &requested, &mesh, &arguments.out);
     for warning in samplings.iter().flat_map(Samplings::warnings) {
         terminal::line(format!("pictures: {warning}"));
     }
@@ -127,9 +127,8 @@ fn traced(
     let work = Work::resumed("aspects", checkpoint.aspects());
     let (memory_limit, clock_s) = (memory.limit(), &|| clock.seconds());
     // An interrupt ends the program; aspects that are done are in the checkpoint.
-    let called_off = CalledOff::NEVER;
-    let surroundings =
-        Surroundings { memory_limit, keeper: checkpoint, progress: &work, clock_s, called_off };
+    let cancellation = CancellationCheck::NEVER;
+    let surroundings = RcsContext { memory_limit, checkpoint, progress: &work, clock_s, cancellation };
     bart_rcs::rcs_within(mesh, request, &surroundings).map(RcsTable::of_bart).map_err(Failure::refused)
 }
 
@@ -154,8 +153,8 @@ fn dressed(mesh: Mesh, arguments: &RcsArguments, request: &RcsRequest) -> Result
 }
 
 /// The table that the arguments ask for.
-fn asked(arguments: &RcsArguments) -> AskedTable {
-    AskedTable {
+fn requested_table(arguments: &RcsArguments) -> RequestedTable {
+    RequestedTable {
         mesh: arguments.mesh.clone(),
         unit_scale: arguments.unit_scale,
         materials: arguments.materials.clone(),
@@ -177,9 +176,9 @@ fn asked(arguments: &RcsArguments) -> AskedTable {
     }
 }
 
-fn receiver(arguments: &RcsArguments) -> Option<AskedReceiver> {
+fn receiver(arguments: &RcsArguments) -> Option<RequestedReceiver> {
     let (azimuth_deg, elevation_deg) = (arguments.rx_az_deg?, arguments.rx_el_deg?);
-    Some(AskedReceiver { azimuth_deg, elevation_deg, range_m: arguments.rx_range_m })
+    Some(RequestedReceiver { azimuth_deg, elevation_deg, range_m: arguments.rx_range_m })
 }
 
 #[cfg(test)]
@@ -196,6 +195,6 @@ mod tests {
         let Command::Rcs(arguments) = Arguments::try_parse_from(words.split(' ')).unwrap().command else {
             unreachable!("`rcs` was asked for");
         };
-        assert_eq!(asked(&arguments).request(), RcsRequest::over(vec![77e9], vec![0.0], vec![0.0]));
+        assert_eq!(requested_table(&arguments).request(), RcsRequest::over(vec![77e9], vec![0.0], vec![0.0]));
     }
 }

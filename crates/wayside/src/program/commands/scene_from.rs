@@ -11,10 +11,10 @@ pub(crate) fn run(arguments: &SceneFromArguments) -> Result<(), Failure> {
     files::claim(std::slice::from_ref(&arguments.out))?;
     let settings = device_config::read(&arguments.config, arguments.device)?;
     // The error names the configuration, and its line if there is one.
-    let refused = |error: device_config::NoScene| Failure::Refused(error.to_string());
+    let refused = |error: device_config::SceneTextError| Failure::Refused(error.to_string());
     let text = device_config::scene_text(&settings, &arguments.config).map_err(refused)?;
     files::claim(std::slice::from_ref(&arguments.out))?; // this registers the configuration as an input
-    files::keep_unless(&arguments.out, EDITED, || is_text(&arguments.out, text.as_bytes()))?;
+    files::refuse_unless(&arguments.out, EDITED, || is_text(&arguments.out, text.as_bytes()))?;
     files::write_file(&arguments.out, text.as_bytes())?;
     if let Some(layout) = settings.unusual_layout() {
         let file = arguments.config.display();

@@ -12,7 +12,7 @@ use dsp::{ROAD_TRAFFIC, Tracker};
 use evaluation::{FrameTruth, Score};
 use formats::training_sets::labels::SetLabels;
 use pipeline::host::failure::Failure;
-use pipeline::host::frame_matching::{Beside, ROUNDED_TIME_S, SAME_TIME_S, check_begin, check_poses};
+use pipeline::host::frame_matching::{FrameMatcher, ROUNDED_TIME_S, SAME_TIME_S, check_begin, check_poses};
 use pipeline::host::progress;
 use pipeline::host::provenance_checks;
 use serde_json::Value;
@@ -34,14 +34,14 @@ pub(crate) fn run(arguments: &ScoreArguments) -> Result<(), Failure> {
 
 fn by_scene(arguments: &ScoreArguments, file: &Path) -> Result<String, Failure> {
     let points = Reader::<Points>::open(&arguments.points)?;
-    let mut scene = Beside::<Scene>::open(file, |frame| frame.index)?;
+    let mut scene = FrameMatcher::<Scene>::open(file, |frame| frame.index)?;
     let from = &points.preamble().provenance;
     let is_same = provenance_checks::same_scene(file, scene.provenance(), ("frames", from))?;
     let header = scene.header().clone();
     provenance_checks::has_bodies(file, &header, &points.header().targets)?;
     let radar = points.header().cube.as_ref().map(|cube| &cube.radar);
     provenance_checks::same_radar(&arguments.points, &header.radar, radar)?;
-    let mut tracks = Followed::of(arguments, &points, &header.radar, Some((file, scene.provenance())))?;
+    let mut tracks = TrackSource::of(arguments, &points, &header.radar, Some((file, scene.provenance())))?;
     let mut paths = arguments.paths.as_deref().map(|file| paths_of(file, &header)).transpose()?;
     let within_s = if is_same { SAME_TIME_S } else { ROUNDED_TIME_S };
     let mut score = Score::default();
@@ -65,7 +65,7 @@ fn by_scene(arguments: &ScoreArguments, file: &Path) -> Result<String, Failure> 
 fn by_labels(arguments: &ScoreArguments, place: &Path) -> Result<String, Failure> {
     let labels = SetLabels::of_points(place, &arguments.points)?;
     let points = Reader::<Points>::open(&arguments.points)?;
-    let mut tracks = Followed::of(arguments, &points, labels.radar(), None)?;
+    let mut tracks = TrackSource::of(arguments, &points, labels.radar(), None)?;
     let mut score = Score::default();
     for frame in progress::frames(points) {
         let frame = frame?;
@@ -87,11 +87,11 @@ fn by_labels(arguments: &ScoreArguments, place: &Path) -> Result<String, Failure
 /// Paths of a scene, refused if they belong to another scene's bodies.
 struct PathsOfScene {
     file: PathBuf,
-    paths: Beside<Paths>,
+    paths: FrameMatcher<Paths>,
 }
 
 fn paths_of(file: &Path, scene: &SceneHeader) -> Result<PathsOfScene, Failure> {
-    let paths = Beside::<Paths>::open(file, |frame| frame.index)?;
+    let paths = FrameMatcher::<Paths>::open(file, |frame| frame.index)?;
     provenance_checks::are_of_bodies(file, scene, &paths.header().targets)?;
     provenance_checks::same_radar(file, &scene.radar, Some(&paths.header().radar))?;
     provenance_checks::are_of_same_bodies(scene, paths.provenance())
@@ -109,12 +109,12 @@ impl PathsOfScene {
 }
 
 /// Source of tracks: a file, or a tracker run here.
-enum Followed {
-    Given(PathBuf, Box<Beside<Tracks>>),
+enum TrackSource {
+    Given(PathBuf, Box<FrameMatcher<Tracks>>),
     Here(Box<Tracker>),
 }
 
-impl Followed {
+impl TrackSource {
     /// Tracks of a file, refused if they belong to another radar, or to another scene where one is given, or
     /// those made with the points' own radar and settings.
     fn of(
@@ -124,7 +124,7 @@ impl Followed {
         scene: Option<(&Path, &Provenance)>,
     ) -> Result<Self, Failure> {
         if let Some(file) = &arguments.tracks {
-            let tracks = Beside::<Tracks>::open(file, |frame| frame.index)?;
+            let tracks = FrameMatcher::<Tracks>::open(file, |frame| frame.index)?;
             if let Some((scene, from)) = scene {
                 provenance_checks::same_scene(scene, from, ("tracks", tracks.provenance()))?;
             }

@@ -1,16 +1,16 @@
 //! `sweep`: a study of many designs that selects one.
 
 use crate::program::cli::SweepArguments;
+use crate::program::command_context::CommandContext;
 use crate::program::interrupt;
-use crate::program::means::Means;
 use crate::program::terminal;
 use pipeline::host::failure::Failure;
-use reporting::report::Making;
+use reporting::report::ReportOrigin;
 use std::path::Path;
 use sweeps::Settings;
 
-pub(crate) fn run(arguments: &SweepArguments, means: &Means) -> Result<(), Failure> {
-    interrupt::keeps("runs");
+pub(crate) fn run(arguments: &SweepArguments, context: &CommandContext) -> Result<(), Failure> {
+    interrupt::declare_saved("runs");
     let settings = Settings {
         study: arguments.study.clone(),
         out: arguments.out.clone(),
@@ -18,10 +18,10 @@ pub(crate) fn run(arguments: &SweepArguments, means: &Means) -> Result<(), Failu
         seed: arguments.seed,
         classifier: arguments.classifier.clone(),
         cache: (!arguments.no_cache).then(|| arguments.cache.location()),
-        memory: means.memory,
-        command: command_of_the_whole(arguments, &means.making.program),
+        memory: context.memory,
+        command: command_of_the_whole(arguments, &context.origin.program),
         tell: &|line| terminal::line(line),
-        call_off: terminal::call_off(),
+        cancellation: terminal::cancellation(),
     };
     sweeps::run(&settings).map(drop)
 }
@@ -32,5 +32,5 @@ fn command_of_the_whole(arguments: &SweepArguments, program: &str) -> String {
     let mut words = vec!["sweep".to_owned(), place(&arguments.study), "--out".into(), place(&arguments.out)];
     words.extend(arguments.seed.into_iter().flat_map(|seed| ["--seed".into(), seed.to_string()]));
     words.extend(arguments.classifier.iter().flat_map(|model| ["--classifier".into(), place(model)]));
-    Making::by(program, words.into_iter()).command
+    ReportOrigin::by(program, words.into_iter()).command
 }

@@ -4,7 +4,7 @@ use crate::program::cli::VehiclesArguments;
 use crate::program::terminal;
 use artifact::scene::Mesh;
 use pipeline::host::failure::Failure;
-use pipeline::host::files::{self, Writing};
+use pipeline::host::files::{self, FolderLock};
 use pipeline::host::progress::Work;
 use serde_json::{Value, json};
 
@@ -18,7 +18,7 @@ const MODEL_LIMIT_BYTES: u64 = 64 << 20;
 const KEYS: [&str; 4] = ["name", "file", "seed", "triangles"];
 
 /// A vehicle to be written.
-struct Planned {
+struct PlannedVehicle {
     name: &'static str,
     seed: u64,
     file: String,
@@ -28,11 +28,11 @@ pub(crate) fn run(arguments: &VehiclesArguments) -> Result<(), Failure> {
     let planned = planned(arguments);
     let manifest_place = arguments.out.join("manifest.json");
     let models: Vec<_> = planned.iter().map(|vehicle| arguments.out.join(&vehicle.file)).collect();
-    let _writing = Writing::into_folder(&arguments.out)?;
+    let _writing = FolderLock::acquire(&arguments.out)?;
     files::claim(&[&models[..], std::slice::from_ref(&manifest_place)].concat())?;
-    files::keep_foreign(&manifest_place, LIMIT_BYTES, is_manifest)?;
-    models.iter().try_for_each(|place| files::keep_foreign(place, MODEL_LIMIT_BYTES, is_own_model))?;
-    files::outdate([manifest_place.clone()].into_iter().chain(models))?;
+    files::refuse_foreign(&manifest_place, LIMIT_BYTES, is_manifest)?;
+    models.iter().try_for_each(|place| files::refuse_foreign(place, MODEL_LIMIT_BYTES, is_own_model))?;
+    files::remove_outdated([manifest_place.clone()].into_iter().chain(models))?;
     let work = Work::begin("vehicles");
     let mut manifest = Vec::new();
     for vehicle in &planned {
@@ -47,12 +47,14 @@ pub(crate) fn run(arguments: &VehiclesArguments) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Every model with every seed; with a single seed, files are named by the model alone.
-fn planned(arguments: &VehiclesArguments) -> Vec<Planned> {
-    let names = scene::vehicles::names();
+/// Every requested model, in the order of the catalogue, with every seed; with a single seed, files are named
+/// by the model alone.
+fn planned(arguments: &VehiclesArguments) -> Vec<PlannedVehicle> {
+    let is_requested = |name: &&str| arguments.names.is_empty() || arguments.names.contains(name);
+    let names: Vec<_> = scene::vehicles::names().into_iter().filter(is_requested).collect();
     let vehicle = |number: u64, name: &'static str| {
         let file = if arguments.count == 1 { format!("{name}.glb") } else { format!("{name}-{number}.glb") };
-        Planned { name, seed: seed_of(arguments.seed, number), file }
+        PlannedVehicle { name, seed: seed_of(arguments.seed, number), file }
     };
     (0..arguments.count).flat_map(|number| names.iter().map(move |name| vehicle(number, name))).collect()
 }
@@ -79,8 +81,8 @@ fn is_own_model(bytes: &[u8]) -> bool {
     serde_json::from_slice(chunk).is_ok_and(|document: Value| document["asset"]["generator"] == "wayside")
 }
 
-fn entry(vehicle: &Planned, mesh: &Mesh) -> Value {
-    let Planned { name, seed, file } = vehicle;
+fn entry(vehicle: &PlannedVehicle, mesh: &Mesh) -> Value {
+    let PlannedVehicle { name, seed, file } = vehicle;
     let [length_m, width_m, height_m] = mesh.size_m();
     json!({
         "name": name, "class": scene::vehicles::class_of(name).map(|c| c.name()), "file": file, "seed": seed,

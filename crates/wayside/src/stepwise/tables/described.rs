@@ -1,6 +1,6 @@
 //! A table of S with its description, and both as files: `S.npy` and `S.json`.
 
-use crate::stepwise::endings;
+use crate::stepwise::extensions;
 use crate::stepwise::meshes::far_field_from_m;
 use formats::npy_stream::NpyStream;
 use formats::sidecar;
@@ -80,7 +80,7 @@ impl TableDescription {
     /// The file has the ending of another format; a file beside it that is no table's; an error of the
     /// system.
     pub fn write(&self, table: &Path, amplitude_m: &[Complex64]) -> Result<(), Failure> {
-        endings::check(table, "npy")?;
+        extensions::check(table, "npy")?;
         sidecar::claim_table(table)?;
         let written = write_values(table, self.shape(), amplitude_m)
             .and_then(|()| sidecar::write_of_table(table, &self.json));
@@ -96,7 +96,7 @@ impl TableDescription {
 pub(crate) fn write_values(file: &Path, shape: [usize; 3], amplitude_m: &[Complex64]) -> Result<(), Failure> {
     NpyStream::write::<Complex64>(file, &shape, |stream| {
         stream.append(amplitude_m)?;
-        sidecar::outdate_table(file)
+        sidecar::remove_outdated_table(file)
     })
 }
 

@@ -1,20 +1,20 @@
 //! Description of a table of S: the content of `S.json`, as `docs/interface.md` has it.
 
 use crate::stepwise::meshes::far_field_from_m;
-use crate::stepwise::tables::asked::AskedTable;
 use crate::stepwise::tables::figures::RcsTable;
+use crate::stepwise::tables::requested::RequestedTable;
 use artifact::scene::Mesh;
 use artifact::units::db_from_amplitude;
-use bart_rcs::{FarFieldError, Followed, Spread};
+use bart_rcs::{FarFieldError, MirrorRefinement, Spread};
 use pipeline::host::memory::peak_mib;
-use pipeline::host::processor_time::{Counted, WorkClock};
+use pipeline::host::processor_time::{ClockKind, WorkClock};
 use pipeline::outcome::error_figures::{ErrorFigures, ModelErrorFigures};
-use pipeline::outcome::verdict::Asking;
+use pipeline::outcome::verdict::RequestSource;
 use serde_json::{Value, json};
 use std::time::Instant;
 
 /// Duration of making a table, s.
-pub(crate) struct TableTook {
+pub(crate) struct TableTimings {
     /// Time for reading the mesh.
     load: f64,
     /// Wall-clock time.
@@ -22,53 +22,58 @@ pub(crate) struct TableTook {
     /// Processor time of all threads; `None` where the system does not report it.
     processor_total: Option<f64>,
     /// Clock of all times but the totals.
-    counted: Counted,
+    clock: ClockKind,
 }
 
-impl TableTook {
+impl TableTimings {
     /// Time from `start` until now, of which reading the mesh took `load` seconds.
     pub(crate) fn since(start: Instant, clock: &WorkClock, load: f64) -> Self {
         Self {
             load,
             total: start.elapsed().as_secs_f64(),
-            processor_total: (clock.counted() == Counted::Processor).then(|| clock.seconds()),
-            counted: clock.counted(),
+            processor_total: (clock.kind() == ClockKind::Processor).then(|| clock.seconds()),
+            clock: clock.kind(),
         }
     }
 }
 
 /// Content of `S.json`, without pictures.
-pub(crate) fn describe(asked: &AskedTable, mesh: &Mesh, table: &RcsTable, took: &TableTook) -> Value {
+pub(crate) fn describe(
+    requested: &RequestedTable,
+    mesh: &Mesh,
+    table: &RcsTable,
+    timings: &TableTimings,
+) -> Value {
     let (read, of) = (mesh.statistics, table.seconds);
     let spread: Vec<f64> = table.node_spread.iter().map(|e| db_from_amplitude(*e)).collect();
-    let from_m = || far_field_from_m(mesh.size_m(), &asked.frequency_hz);
+    let from_m = || far_field_from_m(mesh.size_m(), &requested.frequency_hz);
     json!({
-        "axes": asked.axes(),
+        "axes": requested.axes(),
         "unit": "m",
-        "settings": asked.settings(),
+        "settings": requested.settings(),
         "mesh": { "triangles_read": read.triangles_read, "degenerate": read.degenerate,
             "open_edges": read.open_edges, "triangles_traced": mesh.triangles.len(),
             "size_m": mesh.size_m() },
-        "seconds": { "load": took.load, "build": of.build, "trace": of.trace, "integrate": of.integrate,
-            "check": of.check, "total": took.total, "processor_total": took.processor_total,
-            "counted": took.counted.name() },
+        "seconds": { "load": timings.load, "build": of.build, "trace": of.trace, "integrate": of.integrate,
+            "check": of.check, "total": timings.total, "processor_total": timings.processor_total,
+            "counted": timings.clock.name() },
         "cached": table.cached,
         "beams": table.beams,
         "peak_memory_mib": peak_mib(),
         "vanishes": table.vanishes,
-        "accuracy": table.verdict(asked.accuracy_db).told(Asking::Options),
+        "accuracy": table.verdict(requested.accuracy_db).for_summary(RequestSource::Options),
         "error_db": ErrorFigures::of(&table.error),
         "model_error_db": ModelErrorFigures::of(&table.model_error),
         "node_spread_db": spread,
         "dropped_at_most_db": table.dropped_at_most.map(db_from_amplitude),
         "mirrors": table.mirrors.map(mirrors),
-        "far_field_from_m": asked.range_m.is_infinite().then(from_m),
+        "far_field_from_m": requested.range_m.is_infinite().then(from_m),
         "far_field_error": table.far_field.as_ref().map(far_field_error),
         "pictures": null,
     })
 }
 
-fn mirrors(of: Followed) -> Value {
+fn mirrors(of: MirrorRefinement) -> Value {
     json!({ "least_area_m2": of.least_area_m2, "traced_again": of.traced_again })
 }
 

@@ -1,7 +1,7 @@
 //! S and the figures beside it.
 
 use artifact::{Accuracy, ErrorBudget, ModelError};
-use bart_rcs::{FarFieldError, Followed, RcsResult, RcsSeconds};
+use bart_rcs::{FarFieldError, MirrorRefinement, RcsResult, RcsSeconds};
 use num_complex::Complex64;
 use pipeline::outcome::verdict::Verdict;
 
@@ -25,7 +25,7 @@ pub(crate) struct RcsTable {
     /// Bound of what dropped beams scatter, relative to S.
     pub(crate) dropped_at_most: Option<f64>,
     /// Mirrors that were followed.
-    pub(crate) mirrors: Option<Followed>,
+    pub(crate) mirrors: Option<MirrorRefinement>,
     /// Error of the table at the ranges of a road.
     pub(crate) far_field: Option<FarFieldError>,
     /// Number of aspects that an interrupted run had done.
@@ -52,6 +52,6 @@ impl RcsTable {
 
     /// Whether the table is as accurate as asked for.
     pub(crate) fn verdict(&self, accuracy_db: f64) -> Verdict {
-        Verdict::of(Accuracy::from_db(accuracy_db), &self.error).beside(&self.model_error)
+        Verdict::of(Accuracy::from_db(accuracy_db), &self.error).with_model_error(&self.model_error)
     }
 }

@@ -2,10 +2,10 @@
 
 use crate::study::atlas::methods;
 use crate::study::atlas::verdict::printed;
-use crate::study::atlas::{CaseRow, Says};
+use crate::study::atlas::{CaseRow, ErrorStatement};
 use crate::study::bodies;
 use crate::study::extent::Extent;
-use crate::study::looks;
+use crate::study::rcs_solvers;
 use crate::study::scenes::{cube_of, frame_of, paths_at, paths_of, scene_of, with_body, with_point};
 use artifact::Accuracy;
 use artifact::paths::Path;
@@ -26,8 +26,8 @@ pub(in crate::study::atlas) fn near_lane(_: Extent) -> Result<Vec<CaseRow>, Fail
         let mut header = with_body(scene_of(PLAIN)?, &body, [9.5, 22.3, 0.0], [0.0, -10.0, 0.0]);
         header.fidelity.accuracy = Accuracy::from_db(accuracy_db);
         let frozen = paths_of(&header)?;
-        let says = printed(&frozen.error);
-        Ok(trial.answered(accuracy_db, error_through_the_frame(&header, &frozen.paths)?, says))
+        let statement = printed(&frozen.error);
+        Ok(trial.answered(accuracy_db, error_through_the_frame(&header, &frozen.paths)?, statement))
     };
     [-20.0, -30.0].into_iter().map(row).collect()
 }
@@ -43,7 +43,7 @@ fn error_through_the_frame(header: &SceneHeader, frozen: &[Path]) -> Result<f64,
         found.extend(over_the_band(header, frozen, seconds, &frame));
         expected.extend(over_the_band(header, &anew.paths, instant.radar.frame_middle_s(), &frame));
     }
-    Ok(looks::relative_error(&found, &expected))
+    Ok(rcs_solvers::relative_error(&found, &expected))
 }
 
 /// The scene as one chirp with its middle at this time, at −45 dB.
@@ -87,8 +87,8 @@ pub(in crate::study::atlas) fn single_precision(_: Extent) -> Result<Vec<CaseRow
         );
         let found: Vec<Complex64> =
             cube.samples.iter().map(|z| Complex64::new(z.re.into(), z.im.into())).collect();
-        let says = cube.error.synthesis.map_or(Says::Nothing, Says::AtMost);
-        Ok(trial.answered(range_m, looks::relative_error(&found, &exact), says))
+        let statement = cube.error.synthesis.map_or(ErrorStatement::Missing, ErrorStatement::UpperBound);
+        Ok(trial.answered(range_m, rcs_solvers::relative_error(&found, &exact), statement))
     };
     [1.0, 40.0, 1000.0].into_iter().map(row).collect()
 }

@@ -2,9 +2,9 @@
 
 use crate::study::atlas::methods;
 use crate::study::atlas::verdict::documented;
-use crate::study::atlas::{CaseRow, Says};
+use crate::study::atlas::{CaseRow, ErrorStatement};
 use crate::study::extent::Extent;
-use crate::study::scenes::{cube_of, paths_of, scene_of, seen, with_point};
+use crate::study::scenes::{cube_of, detect, paths_of, scene_of, with_point};
 use artifact::scene::SceneHeader;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use wayside::host::failure::Failure;
@@ -36,11 +36,11 @@ pub(in crate::study::atlas) fn same_slope(_: Extent) -> Result<Vec<CaseRow>, Fai
         documented("docs/scenes.md", "The IF filter is a brick wall around the beats of the map's ranges")?;
     let row = |late_ns: f64| {
         let ghost_m = 0.5 * (20.0 + SPEED_OF_LIGHT_MPS * 1e-9 * late_ns);
-        let points = seen(&beside(&interferer(12.5, 1e-3 * late_ns, 10.0, 20.0))?)?.points.points;
+        let points = detect(&beside(&interferer(12.5, 1e-3 * late_ns, 10.0, 20.0))?)?.points.points;
         let nearest = points.iter().map(|p| (p.range_m - ghost_m).abs()).fold(f64::INFINITY, f64::min);
         // Beats beyond the sample rate, 61.4 m, are filtered out.
-        let says = if ghost_m > 61.4 { filter } else { Says::Nothing };
-        Ok(trial.answered(late_ns, (nearest / ghost_m).min(1.0), says))
+        let statement = if ghost_m > 61.4 { filter } else { ErrorStatement::Missing };
+        Ok(trial.answered(late_ns, (nearest / ghost_m).min(1.0), statement))
     };
     [0.0, 60.0, 450.0].into_iter().map(row).collect()
 }
@@ -48,13 +48,13 @@ pub(in crate::study::atlas) fn same_slope(_: Extent) -> Result<Vec<CaseRow>, Fai
 /// An interferer with the same slope is an object without a body: a flaw of all such radars.
 pub(in crate::study::atlas) fn ghosts_of_no_body(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::CA_CFAR.trial("objects of an empty road beside an interferer", "its slope, MHz/µs");
-    let says = documented(
+    let statement = documented(
         "docs/scenes.md",
         "with equal slopes it is a ghost target at ½c·(R/c + the other chirp's lateness)",
     )?;
     let row = |slope: f64| {
-        let objects = seen(&beside(&interferer(slope, 0.06, 10.0, 20.0))?)?.points.objects.len();
-        Ok(trial.answered(slope, objects as f64, says))
+        let objects = detect(&beside(&interferer(slope, 0.06, 10.0, 20.0))?)?.points.objects.len();
+        Ok(trial.answered(slope, objects as f64, statement))
     };
     [12.5, 11.0, -12.5].into_iter().map(row).collect()
 }
@@ -73,7 +73,7 @@ pub(in crate::study::atlas) fn crossings(_: Extent) -> Result<Vec<CaseRow>, Fail
             CROSSING[..count].iter().map(|(slope, _, y)| crossing_power(waveform, *slope, *y)).sum();
         let exact = exact * f64::from(waveform.chirps);
         // Beats of crossings with each other are not part of the sum of their powers.
-        Ok(trial.answered(count, ((power / exact).sqrt() - 1.0).abs(), Says::Nothing))
+        Ok(trial.answered(count, ((power / exact).sqrt() - 1.0).abs(), ErrorStatement::Missing))
     };
     [1, 2, 3].into_iter().map(row).collect()
 }
@@ -89,15 +89,15 @@ fn crossing_power(waveform: &artifact::radar::Waveform, slope_mhz_per_us: f64, r
 /// A weak point among crossing radars: error 1 if it is lost.
 pub(in crate::study::atlas) fn weak_among_radars(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::CA_CFAR.trial("a weak point beside crossing radars", "eirp_dbm of three");
-    let says =
+    let statement =
         documented("docs/scenes.md", "Where its frequency crosses that of a chirp the receiver hears it")?;
     let row = |eirp_dbm: f64| {
         let all = crossing(CROSSING.len(), eirp_dbm);
         let words = format!("[radar.array]\npreset = \"1x4\"\n[noise]\nnoise_figure_db = 12.0\n{all}");
         let header = with_point(scene_of(&words)?, 0.1, [0.0, 40.0, 6.0], [0.0, -5.0, 0.0]);
-        let points = seen(&header)?.points.points;
+        let points = detect(&header)?.points.points;
         let is_there = points.iter().any(|p| (p.range_m - 40.0).abs() < 0.3);
-        Ok(trial.answered(eirp_dbm, if is_there { 0.0 } else { 1.0 }, says))
+        Ok(trial.answered(eirp_dbm, if is_there { 0.0 } else { 1.0 }, statement))
     };
     [-60.0, -20.0, 20.0].into_iter().map(row).collect()
 }

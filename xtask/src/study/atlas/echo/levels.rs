@@ -2,9 +2,9 @@
 
 use crate::study::atlas::methods;
 use crate::study::atlas::verdict::documented;
-use crate::study::atlas::{CaseRow, Says};
+use crate::study::atlas::{CaseRow, ErrorStatement};
 use crate::study::extent::Extent;
-use crate::study::scenes::{cube_header, cube_of, paths_of, scene_of, seen, with_point};
+use crate::study::scenes::{cube_header, cube_of, detect, paths_of, scene_of, with_point};
 use artifact::radar::Adc;
 use artifact::scene::SceneHeader;
 use wayside::host::failure::Failure;
@@ -20,12 +20,12 @@ pub(in crate::study::atlas) fn extremes(_: Extent) -> Result<Vec<CaseRow>, Failu
         );
         let header = with_point(scene_of(&words)?, rcs_m2, [0.0, 30.0, 6.0], [0.0, -5.0, 0.0]);
         let name = format!("{power_dbm}, {gain_dbi}, {rcs_m2:e}");
-        let points = match seen(&header) {
+        let points = match detect(&header) {
             Ok(found) => found.points,
             Err(refusal) => return Ok(trial.must_refuse::<(), _>(name, Err(refusal))),
         };
         let error = points.objects.first().map_or(1.0, |o| (o.range_m / 30.0 - 1.0).abs());
-        Ok(trial.answered(name, error, Says::Nothing))
+        Ok(trial.answered(name, error, ErrorStatement::Missing))
     };
     [(12.0, 10.0, 1.0), (200.0, 100.0, 1e12), (-200.0, -100.0, 1.0), (-200.0, -100.0, 1e-12)]
         .into_iter()
@@ -54,13 +54,13 @@ fn peak(header: &SceneHeader) -> Result<f64, Failure> {
 /// Level of a single echo within a converter's range, and beyond it.
 pub(in crate::study::atlas) fn saturated(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::ADC.trial("level of an echo beyond the converter's full scale", "bits, dB beyond");
-    let says = documented("docs/scenes.md", "beyond it samples are clipped")?;
+    let statement = documented("docs/scenes.md", "beyond it samples are clipped")?;
     let row = |(bits, over_db): (u8, f64)| {
         let header = with_converter(bits, over_db)?;
         let mut ideal = header.clone();
         ideal.radar.hardware.adc = None;
         let error = (peak(&header)? / peak(&ideal)? - 1.0).abs();
-        Ok(trial.answered(format!("{bits}, {over_db}"), error, says))
+        Ok(trial.answered(format!("{bits}, {over_db}"), error, statement))
     };
     [(12, -6.0), (12, 0.0), (12, 3.0), (12, 20.0), (12, 60.0), (1, 0.0)].into_iter().map(row).collect()
 }

@@ -1,9 +1,9 @@
 //! Many points, fast and rotating points, and a scene after a long time: samples against the formulas.
 
 use crate::study::atlas::methods;
-use crate::study::atlas::{CaseRow, Says};
+use crate::study::atlas::{CaseRow, ErrorStatement};
 use crate::study::extent::Extent;
-use crate::study::looks;
+use crate::study::rcs_solvers;
 use crate::study::scenes::{cube_of, frame_of, paths_at, paths_of, scene_of, with_point};
 use artifact::Accuracy;
 use artifact::cube::CubeFrame;
@@ -23,7 +23,7 @@ pub(in crate::study::atlas) fn against_formulas(
     header: &SceneHeader,
     paths: &PathsFrame,
     cube: &CubeFrame,
-) -> (f64, Says) {
+) -> (f64, ErrorStatement) {
     let radar = &header.radar;
     let length = radar.waveform.samples as usize;
     let chirps = radar.waveform.chirps as usize;
@@ -37,8 +37,8 @@ pub(in crate::study::atlas) fn against_formulas(
         found.push(Complex64::new(sample.re.into(), sample.im.into()));
         exact.push(fmcw_echo::reference::cube_sample(radar, centre_hz, &paths.paths, at, None));
     }
-    let says = cube.error.synthesis.map_or(Says::Nothing, Says::AtMost);
-    (looks::relative_error(&found, &exact), says)
+    let statement = cube.error.synthesis.map_or(ErrorStatement::Missing, ErrorStatement::UpperBound);
+    (rcs_solvers::relative_error(&found, &exact), statement)
 }
 
 /// Points on the rims of two wheels: 0 to 20 m/s at one place.
@@ -57,8 +57,8 @@ pub(in crate::study::atlas) fn wheels(_: Extent) -> Result<Vec<CaseRow>, Failure
             last.kind = TargetKind::Point { rcs_m2: 0.1, wheel };
         }
         let paths = paths_of(&header)?;
-        let (error, says) = against_formulas(&header, &paths, &cube_of(&header, &paths)?);
-        Ok(trial.answered(format!("{speed_mps}, {accuracy_db}"), error, says))
+        let (error, statement) = against_formulas(&header, &paths, &cube_of(&header, &paths)?);
+        Ok(trial.answered(format!("{speed_mps}, {accuracy_db}"), error, statement))
     };
     [(10.0, -20.0), (10.0, -80.0), (40.0, -20.0)].into_iter().map(row).collect()
 }
@@ -76,8 +76,8 @@ pub(in crate::study::atlas) fn targets(_: Extent) -> Result<Vec<CaseRow>, Failur
             header = with_point(header, within(0.01, 10.0), at_m, velocity_mps);
         }
         let paths = paths_of(&header)?;
-        let (error, says) = against_formulas(&header, &paths, &cube_of(&header, &paths)?);
-        Ok(trial.answered(count, error, says))
+        let (error, statement) = against_formulas(&header, &paths, &cube_of(&header, &paths)?);
+        Ok(trial.answered(count, error, statement))
     };
     [100, 10_000].into_iter().map(row).collect()
 }
@@ -90,8 +90,8 @@ pub(in crate::study::atlas) fn motion(_: Extent) -> Result<Vec<CaseRow>, Failure
         header = with_point(header, 1.0, place_m, velocity_mps);
         header.targets[0].start.acceleration_mps2 = acceleration_mps2;
         let paths = paths_of(&header)?;
-        let (error, says) = against_formulas(&header, &paths, &cube_of(&header, &paths)?);
-        Ok(trial.answered(name, error, says))
+        let (error, statement) = against_formulas(&header, &paths, &cube_of(&header, &paths)?);
+        Ok(trial.answered(name, error, statement))
     };
     [
         ("340 m/s across, 5 m away", [0.0, 5.0, 6.0], [340.0, 0.0, 0.0], [0.0; 3]),
@@ -123,8 +123,8 @@ pub(in crate::study::atlas) fn long_runs(_: Extent) -> Result<Vec<CaseRow>, Fail
             let of = |z: &num_complex::Complex32| Complex64::new(z.re.into(), z.im.into());
             Ok(cube_of(&driven, paths)?.samples.iter().map(of).collect())
         };
-        let error = looks::relative_error(&values(&late)?, &values(&early)?);
-        Ok(trial.answered(driven_s, error, Says::Nothing))
+        let error = rcs_solvers::relative_error(&values(&late)?, &values(&early)?);
+        Ok(trial.answered(driven_s, error, ErrorStatement::Missing))
     };
     [(10, 0.1), (36_000, 0.1), (99_000, 0.1), (999_999, 1e4)].into_iter().map(row).collect()
 }

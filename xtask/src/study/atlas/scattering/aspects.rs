@@ -5,7 +5,7 @@ use crate::study::atlas::methods;
 use crate::study::atlas::verdict::printed;
 use crate::study::bodies;
 use crate::study::extent::Extent;
-use crate::study::looks;
+use crate::study::rcs_solvers;
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;
 use artifact::units::SPEED_OF_LIGHT_MPS;
@@ -20,8 +20,8 @@ pub(in crate::study::atlas) fn hair_steps(_: Extent) -> Result<Vec<CaseRow>, Fai
     let trial = methods::BART.trial("aspects a millionth of a degree apart, largest jump", "body");
     let row = |(name, body, azimuth_deg): (&str, Mesh, f64)| {
         let azimuth_rad = (0..21).map(|i| (azimuth_deg + 1e-6 * f64::from(i)).to_radians()).collect();
-        let request = RcsRequest { azimuth_rad, ..looks::bounced(azimuth_deg, 30.0, 3) };
-        let result = looks::traced(&body, &request)?;
+        let request = RcsRequest { azimuth_rad, ..rcs_solvers::request_with_bounces(azimuth_deg, 30.0, 3) };
+        let result = rcs_solvers::trace_rcs(&body, &request)?;
         let mean = result.amplitude_m.iter().map(|s| s.norm()).sum::<f64>() / 21.0;
         let bend = |w: &[Complex64]| (w[0] - 2.0 * w[1] + w[2]).norm() / mean;
         let most = result.amplitude_m.windows(3).map(bend).fold(0.0, f64::max);
@@ -53,16 +53,16 @@ pub(in crate::study::atlas) fn exchanged(_: Extent) -> Result<Vec<CaseRow>, Fail
             range_m: from.range_m,
             receiver: Some(to),
             polarization,
-            ..looks::bounced(0.0, 0.0, 3)
+            ..rcs_solvers::request_with_bounces(0.0, 0.0, 3)
         };
-        looks::traced(body, &request)
+        rcs_solvers::trace_rcs(body, &request)
     };
     let (here, there) = (at(10.0, 20.0), at(32.0, 5.0));
     let row = |(name, body, ways): (&str, Mesh, [Polarization; 2])| {
         let (forth, back) = (ask(&body, here, there, ways[0])?, ask(&body, there, here, ways[1])?);
         Ok(trial.answered(
             name,
-            looks::relative_error(&forth.amplitude_m, &back.amplitude_m),
+            rcs_solvers::relative_error(&forth.amplitude_m, &back.amplitude_m),
             printed(&forth.error),
         ))
     };
@@ -88,10 +88,10 @@ fn rolled(mut body: Mesh, by_deg: f64) -> Mesh {
 pub(in crate::study::atlas) fn rolled_dihedral(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::BART
         .trial("dihedral rolled about the line of sight, order 2 alone", "polarization, roll_deg");
-    let whole = 0.15_f64.powi(2) * (8.0 * PI).sqrt() / looks::WAVELENGTH_M;
+    let whole = 0.15_f64.powi(2) * (8.0 * PI).sqrt() / rcs_solvers::WAVELENGTH_M;
     let row = |(name, polarization, roll_deg): (&str, Polarization, f64)| {
-        let request = RcsRequest { polarization, ..looks::bounced(0.0, 0.0, 2) };
-        let result = looks::traced(&rolled(bodies::dihedral(90.0), roll_deg), &request)?;
+        let request = RcsRequest { polarization, ..rcs_solvers::request_with_bounces(0.0, 0.0, 2) };
+        let result = rcs_solvers::trace_rcs(&rolled(bodies::dihedral(90.0), roll_deg), &request)?;
         let (sin, cos) = (2.0 * roll_deg).to_radians().sin_cos();
         let share = if polarization == Polarization::Vv { cos } else { sin };
         let error = (result.by_order_m[1][0].norm() / whole - share.abs()).abs();
@@ -117,14 +117,15 @@ pub(in crate::study::atlas) fn wide_band(_: Extent) -> Result<Vec<CaseRow>, Fail
     let row = |apart_m: f64| {
         let behind = bodies::shifted(bodies::plate(0.1), [-apart_m, 0.3 + apart_m, 0.0]);
         let body = bodies::joined(bodies::plate(0.1), &behind);
-        let request = RcsRequest { frequency_hz: frequency_hz.clone(), ..looks::first_order(2.0, 0.0) };
-        let result = looks::traced(&body, &request)?;
+        let request =
+            RcsRequest { frequency_hz: frequency_hz.clone(), ..rcs_solvers::first_order_request(2.0, 0.0) };
+        let result = rcs_solvers::trace_rcs(&body, &request)?;
         let towards_m = -apart_m * azimuth_rad.cos() + (0.3 + apart_m) * azimuth_rad.sin();
         let exact: Vec<Complex64> =
             frequency_hz.iter().map(|f| two_plates(*f, azimuth_rad, towards_m)).collect();
         Ok(trial.answered(
             apart_m,
-            looks::relative_error(&result.amplitude_m, &exact),
+            rcs_solvers::relative_error(&result.amplitude_m, &exact),
             printed(&result.error),
         ))
     };

@@ -6,7 +6,7 @@ use crate::study::atlas::verdict::Trial;
 use crate::study::bodies::{self, Face};
 use crate::study::closed_forms;
 use crate::study::extent::Extent;
-use crate::study::looks;
+use crate::study::rcs_solvers;
 use artifact::scene::Mesh;
 use bart_rcs::RcsRequest;
 use num_complex::Complex64;
@@ -20,12 +20,12 @@ fn alike(
     request: &RcsRequest,
     turn: Complex64,
 ) -> Result<CaseRow, Failure> {
-    let found = looks::traced(meshes[0], request)?;
+    let found = rcs_solvers::trace_rcs(meshes[0], request)?;
     let expected: Vec<Complex64> =
-        looks::traced(meshes[1], request)?.amplitude_m.iter().map(|s| s * turn).collect();
+        rcs_solvers::trace_rcs(meshes[1], request)?.amplitude_m.iter().map(|s| s * turn).collect();
     Ok(trial.answered(
         value,
-        looks::relative_error(&found.amplitude_m, &expected),
+        rcs_solvers::relative_error(&found.amplitude_m, &expected),
         crate::study::atlas::verdict::printed(&found.error),
     ))
 }
@@ -39,7 +39,7 @@ pub(in crate::study::atlas) fn doubled(_: Extent) -> Result<Vec<CaseRow>, Failur
         trial,
         "top hat, three bounces",
         [&twice, &hat],
-        &looks::bounced(5.0, 30.0, 3),
+        &rcs_solvers::request_with_bounces(5.0, 30.0, 3),
         Complex64::ONE,
     )?])
 }
@@ -51,12 +51,12 @@ pub(in crate::study::atlas) fn far_from_the_origin(_: Extent) -> Result<Vec<Case
     let away = bodies::shifted(hat.clone(), [1000.0, 0.0, 0.0]);
     let (azimuth_deg, elevation_deg) = (5.0_f64, 30.0_f64);
     let nearer_m = 1000.0 * elevation_deg.to_radians().cos() * azimuth_deg.to_radians().cos();
-    let turn = Complex64::cis(2.0 * looks::K * nearer_m);
+    let turn = Complex64::cis(2.0 * rcs_solvers::K * nearer_m);
     Ok(vec![alike(
         trial,
         "top hat, three bounces",
         [&away, &hat],
-        &looks::bounced(azimuth_deg, elevation_deg, 3),
+        &rcs_solvers::request_with_bounces(azimuth_deg, elevation_deg, 3),
         turn,
     )?])
 }
@@ -66,11 +66,11 @@ pub(in crate::study::atlas) fn needles(_: Extent) -> Result<Vec<CaseRow>, Failur
     let trial = methods::BART.trial("plate of needles and T-junctions", "mesh");
     let needles = bodies::plate_in_strips(0.3, &[0.0, 0.3, 0.300_001, 0.300_002, 0.6, 0.600_000_01, 1.0]);
     let row = |(name, body): (&str, Mesh)| {
-        let found = looks::traced(&body, &looks::first_order(3.0, 0.0))?;
+        let found = rcs_solvers::trace_rcs(&body, &rcs_solvers::first_order_request(3.0, 0.0))?;
         let exact = closed_forms::plate_far(0.3, 3_f64.to_radians());
         Ok(trial.answered(
             name,
-            looks::relative_error(&found.amplitude_m, &[exact]),
+            rcs_solvers::relative_error(&found.amplitude_m, &[exact]),
             crate::study::atlas::verdict::printed(&found.error),
         ))
     };
@@ -98,7 +98,7 @@ pub(in crate::study::atlas) fn touching(_: Extent) -> Result<Vec<CaseRow>, Failu
     let whole = bodies::joined(bodies::cube(0.1, &Face::ALL), &floor);
     let open = bodies::joined(bodies::cube(0.1, &Face::ALL[..5]), &floor);
     let row = |azimuth_deg: f64| {
-        let request = looks::bounced(azimuth_deg, 30.0, 3);
+        let request = rcs_solvers::request_with_bounces(azimuth_deg, 30.0, 3);
         alike(trial, &azimuth_deg.to_string(), [&whole, &open], &request, Complex64::ONE)
     };
     [0.0, 20.0].into_iter().map(row).collect()
@@ -113,5 +113,11 @@ pub(in crate::study::atlas) fn flipped(_: Extent) -> Result<Vec<CaseRow>, Failur
     );
     let mut wrong = tube.clone();
     wrong.triangles.iter_mut().step_by(10).for_each(|t| t.swap(1, 2));
-    Ok(vec![alike(trial, "two", [&wrong, &tube], &looks::bounced(5.0, 20.0, 3), Complex64::ONE)?])
+    Ok(vec![alike(
+        trial,
+        "two",
+        [&wrong, &tube],
+        &rcs_solvers::request_with_bounces(5.0, 20.0, 3),
+        Complex64::ONE,
+    )?])
 }

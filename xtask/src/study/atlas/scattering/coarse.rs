@@ -2,10 +2,10 @@
 
 use crate::study::atlas::methods;
 use crate::study::atlas::verdict::documented;
-use crate::study::atlas::{CaseRow, Says};
+use crate::study::atlas::{CaseRow, ErrorStatement};
 use crate::study::bodies;
 use crate::study::extent::Extent;
-use crate::study::looks;
+use crate::study::rcs_solvers;
 use artifact::Accuracy;
 use artifact::scene::Mesh;
 use artifact::settings::Surface;
@@ -43,20 +43,20 @@ pub(in crate::study::atlas) fn few_polygons(_: Extent) -> Result<Vec<CaseRow>, F
             azimuth_rad: (0..24).map(|i| (3.0 + 7.3 * f64::from(i)).to_radians()).collect(),
             surface,
             accuracy: Accuracy::from_db(-20.0),
-            ..looks::first_order(0.0, 10.0)
+            ..rcs_solvers::first_order_request(0.0, 10.0)
         };
-        let result = looks::traced(&body, &request)?;
+        let result = rcs_solvers::trace_rcs(&body, &request)?;
         let exact = request.azimuth_rad.iter().map(|az| smooth_level(*az, request.elevation_rad[0]));
         let miss_db = |(s, level): (&num_complex::Complex64, f64)| (20.0 * (s.norm() / level).log10()).abs();
         let mean_db = result.amplitude_m.iter().zip(exact).map(miss_db).sum::<f64>() / 24.0;
-        let says = match result.error.tessellation {
-            None => Says::Words("error_db.tessellation is null: facets are taken as the surface"),
+        let statement = match result.error.tessellation {
+            None => ErrorStatement::Remark("error_db.tessellation is null: facets are taken as the surface"),
             // The bound is that of the skin defined by the vertices, which are too few to define it
             // accurately.
             Some(_) => skin,
         };
         let error = 10_f64.powf(mean_db / 20.0) - 1.0;
-        Ok(trial.answered(format!("{name}, {}", body.triangles.len()), error, says))
+        Ok(trial.answered(format!("{name}, {}", body.triangles.len()), error, statement))
     };
     [
         ("flat", Surface::Flat, 4),

@@ -2,10 +2,10 @@
 
 use crate::study::atlas::methods;
 use crate::study::atlas::verdict::printed;
-use crate::study::atlas::{CaseRow, Says};
+use crate::study::atlas::{CaseRow, ErrorStatement};
 use crate::study::bodies;
 use crate::study::extent::Extent;
-use crate::study::looks;
+use crate::study::rcs_solvers;
 use artifact::scene::Mesh;
 use artifact::settings::{NodeRule, Sides};
 use bart_rcs::RcsRequest;
@@ -39,17 +39,17 @@ fn mirror(cells: u32) -> Mesh {
 pub(in crate::study::atlas) fn mirror_from_its_centre(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::BART.trial("hollow mirror seen from its centre (a caustic)", "q of the facets");
     let area_m2 = 4.0 * (HALF * HALF / (1.0 + 2.0 * HALF * HALF).sqrt()).atan() * RADIUS_M * RADIUS_M;
-    let exact = Complex64::new(0.0, (4.0 * PI).sqrt() * area_m2 / looks::WAVELENGTH_M);
+    let exact = Complex64::new(0.0, (4.0 * PI).sqrt() * area_m2 / rcs_solvers::WAVELENGTH_M);
     let row = |q: f64| {
-        let chord_m = q * (RADIUS_M * looks::WAVELENGTH_M).sqrt();
+        let chord_m = q * (RADIUS_M * rcs_solvers::WAVELENGTH_M).sqrt();
         let cells = (2.0 * HALF * RADIUS_M / chord_m).round() as u32;
-        let request = RcsRequest { range_m: RADIUS_M, ..looks::first_order(0.0, 0.0) };
-        let result = looks::traced(&mirror(cells), &request)?;
-        let says = match result.error.tessellation {
-            None => Says::Words("error_db.tessellation is null: facets are taken as the surface"),
+        let request = RcsRequest { range_m: RADIUS_M, ..rcs_solvers::first_order_request(0.0, 0.0) };
+        let result = rcs_solvers::trace_rcs(&mirror(cells), &request)?;
+        let statement = match result.error.tessellation {
+            None => ErrorStatement::Remark("error_db.tessellation is null: facets are taken as the surface"),
             Some(_) => printed(&result.error),
         };
-        Ok(trial.answered(q, looks::relative_error(&result.amplitude_m, &[exact]), says))
+        Ok(trial.answered(q, rcs_solvers::relative_error(&result.amplitude_m, &[exact]), statement))
     };
     [0.1, 0.25, 0.5].into_iter().map(row).collect()
 }
@@ -59,12 +59,12 @@ pub(in crate::study::atlas) fn mirror_from_its_focus(_: Extent) -> Result<Vec<Ca
     let trial = methods::BART.trial("hollow mirror about its focus, dense sampling", "range over radius");
     let body = mirror(18);
     let row = |share: f64| {
-        let request = RcsRequest { range_m: share * RADIUS_M, ..looks::first_order(1.0, 0.5) };
-        let result = looks::traced(&body, &request)?;
-        let exact = looks::sampled(&body, &request, 4.0, 0)?;
+        let request = RcsRequest { range_m: share * RADIUS_M, ..rcs_solvers::first_order_request(1.0, 0.5) };
+        let result = rcs_solvers::trace_rcs(&body, &request)?;
+        let exact = rcs_solvers::po_amplitude(&body, &request, 4.0, 0)?;
         Ok(trial.answered(
             share,
-            looks::relative_error(&result.amplitude_m, &[exact]),
+            rcs_solvers::relative_error(&result.amplitude_m, &[exact]),
             printed(&result.error),
         ))
     };
@@ -91,21 +91,26 @@ pub(in crate::study::atlas) fn trough_of_orders(_: Extent) -> Result<Vec<CaseRow
     let body = trough(0.05, 0.05, 90);
     let mut rows = Vec::new();
     for azimuth_deg in [10.0, 40.0] {
-        let request = RcsRequest { nodes: NodeRule::Exit, ..looks::bounced(azimuth_deg, 0.0, 3) };
-        let result = looks::traced(&body, &request)?;
-        let shooting = sbr::Shooting {
+        let request =
+            RcsRequest { nodes: NodeRule::Exit, ..rcs_solvers::request_with_bounces(azimuth_deg, 0.0, 3) };
+        let result = rcs_solvers::trace_rcs(&body, &request)?;
+        let shooting = sbr::RaySettings {
             per_wavelength: 30.0,
             bounces: 3,
             sides: Sides::Two,
             bracket: Bracket::Symmetrised,
         };
-        let rays = looks::shot(&body, &request, &shooting)?;
+        let rays = rcs_solvers::sbr_amplitudes(&body, &request, &shooting)?;
         let whole = rays.iter().sum::<Complex64>().norm();
         for (order, ((found, rays), spread)) in
             (1..).zip(result.by_order_m.iter().zip(&rays).zip(&result.node_spread))
         {
             let error = (found[0] - rays).norm() / whole;
-            rows.push(trial.answered(format!("{azimuth_deg}, {order}"), error, Says::About(*spread)));
+            rows.push(trial.answered(
+                format!("{azimuth_deg}, {order}"),
+                error,
+                ErrorStatement::Estimate(*spread),
+            ));
         }
     }
     Ok(rows)

@@ -2,11 +2,11 @@
 
 use crate::study::atlas::methods;
 use crate::study::atlas::verdict::printed;
-use crate::study::atlas::{CaseRow, Says};
+use crate::study::atlas::{CaseRow, ErrorStatement};
 use crate::study::bodies::{self, Face};
 use crate::study::closed_forms;
 use crate::study::extent::Extent;
-use crate::study::looks;
+use crate::study::rcs_solvers;
 use artifact::scene::Mesh;
 use artifact::settings::Sides;
 use num_complex::Complex64;
@@ -70,22 +70,27 @@ fn of_orders(
     let trial = methods::BART.trial(case, "bounces");
     let all = by_rays(body, [azimuth_deg, elevation_deg], of_rays)?;
     let row = |bounces: u8| {
-        let result = looks::traced(body, &looks::bounced(azimuth_deg, elevation_deg, bounces))?;
+        let result = rcs_solvers::trace_rcs(
+            body,
+            &rcs_solvers::request_with_bounces(azimuth_deg, elevation_deg, bounces),
+        )?;
         let model = result.model_error;
-        let says = match (model.bounces, model.nodes) {
-            (Some(left_out), nodes) => Says::About(left_out.hypot(nodes.unwrap_or(0.0))),
-            (None, _) => Says::Words("model_error_db.bounces is null: one order tells nothing of the next"),
+        let statement = match (model.bounces, model.nodes) {
+            (Some(left_out), nodes) => ErrorStatement::Estimate(left_out.hypot(nodes.unwrap_or(0.0))),
+            (None, _) => {
+                ErrorStatement::Remark("model_error_db.bounces is null: one order tells nothing of the next")
+            }
         };
-        Ok(trial.answered(bounces, looks::relative_error(&result.amplitude_m, &[all]), says))
+        Ok(trial.answered(bounces, rcs_solvers::relative_error(&result.amplitude_m, &[all]), statement))
     };
     ORDERS.into_iter().map(row).collect()
 }
 
 fn by_rays(body: &Mesh, [azimuth_deg, elevation_deg]: [f64; 2], bounces: u8) -> Result<Complex64, Failure> {
     let shooting =
-        sbr::Shooting { per_wavelength: 30.0, bounces, sides: Sides::Two, bracket: Bracket::Symmetrised };
-    let request = looks::first_order(azimuth_deg, elevation_deg);
-    Ok(looks::shot(body, &request, &shooting)?.iter().sum())
+        sbr::RaySettings { per_wavelength: 30.0, bounces, sides: Sides::Two, bracket: Bracket::Symmetrised };
+    let request = rcs_solvers::first_order_request(azimuth_deg, elevation_deg);
+    Ok(rcs_solvers::sbr_amplitudes(body, &request, &shooting)?.iter().sum())
 }
 
 /// A closed box seen from outside: whatever orders are traced inside it, its S is that of its front (P1).
@@ -97,10 +102,10 @@ pub(in crate::study::atlas) fn closed_box(_: Extent) -> Result<Vec<CaseRow>, Fai
     // The middle of the only other lit side is half a side behind and beside the front's.
     let middle_m = 0.5 * side_m * (azimuth_rad.sin() - azimuth_rad.cos());
     let beside = closed_forms::plate_far(side_m, 0.5 * PI - azimuth_rad);
-    let exact = front + beside * Complex64::cis(2.0 * looks::K * middle_m);
+    let exact = front + beside * Complex64::cis(2.0 * rcs_solvers::K * middle_m);
     let row = |bounces: u8| {
-        let result = looks::traced(&body, &looks::bounced(1.0, 0.0, bounces))?;
-        let error = looks::relative_error(&result.amplitude_m, &[exact]);
+        let result = rcs_solvers::trace_rcs(&body, &rcs_solvers::request_with_bounces(1.0, 0.0, bounces))?;
+        let error = rcs_solvers::relative_error(&result.amplitude_m, &[exact]);
         Ok(trial.answered(bounces, error, printed(&result.error)))
     };
     [1, 3, 5].into_iter().map(row).collect()

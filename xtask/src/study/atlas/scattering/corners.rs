@@ -2,10 +2,10 @@
 
 use crate::study::atlas::methods;
 use crate::study::atlas::verdict::Trial;
-use crate::study::atlas::{CaseRow, Says};
+use crate::study::atlas::{CaseRow, ErrorStatement};
 use crate::study::bodies;
 use crate::study::extent::Extent;
-use crate::study::looks;
+use crate::study::rcs_solvers;
 use artifact::scene::Mesh;
 use artifact::settings::NodeRule;
 use bart_rcs::RcsRequest;
@@ -16,7 +16,7 @@ const TRIAL: Trial = methods::BART.trial("right corners, one order alone", "body
 
 /// Levels of docs/physics.md D1, D2; joined at every node they would be 6 and 9.5 dB too high.
 pub(in crate::study::atlas) fn right_angles(_: Extent) -> Result<Vec<CaseRow>, Failure> {
-    let lambda_m = looks::WAVELENGTH_M;
+    let lambda_m = rcs_solvers::WAVELENGTH_M;
     let diagonal_deg = (0.5_f64).sqrt().atan().to_degrees();
     let dihedral = 0.15_f64.powi(2) * (8.0 * PI).sqrt() / lambda_m;
     let trihedral = |constant: f64| (constant * PI).sqrt() * 0.01 / lambda_m;
@@ -48,11 +48,12 @@ fn order_alone(
     order: u8,
     level: f64,
 ) -> Result<CaseRow, Failure> {
-    let result = looks::traced(body, &looks::bounced(azimuth_deg, elevation_deg, order))?;
+    let result =
+        rcs_solvers::trace_rcs(body, &rcs_solvers::request_with_bounces(azimuth_deg, elevation_deg, order))?;
     let found = result.by_order_m[usize::from(order) - 1][0].norm();
     Ok(TRIAL.answered(
         name,
-        looks::level_error(found, level),
+        rcs_solvers::level_error(found, level),
         crate::study::atlas::verdict::printed(&result.error),
     ))
 }
@@ -62,12 +63,12 @@ pub(in crate::study::atlas) fn other_angles(_: Extent) -> Result<Vec<CaseRow>, F
     let trial = methods::BART.trial("middle against exit node off 90°", "angle_deg, azimuth_deg");
     let row = |(angle_deg, azimuth_deg): (f64, f64)| {
         let body = bodies::dihedral(angle_deg);
-        let middle = looks::bounced(azimuth_deg, 0.0, 3);
+        let middle = rcs_solvers::request_with_bounces(azimuth_deg, 0.0, 3);
         let exit = RcsRequest { nodes: NodeRule::Exit, ..middle.clone() };
-        let (middle, exit) = (looks::traced(&body, &middle)?, looks::traced(&body, &exit)?);
-        let error = looks::relative_error(&exit.amplitude_m, &middle.amplitude_m);
-        let says = middle.model_error.nodes.map_or(Says::Nothing, Says::About);
-        Ok(trial.answered(format!("{angle_deg}, {azimuth_deg}"), error, says))
+        let (middle, exit) = (rcs_solvers::trace_rcs(&body, &middle)?, rcs_solvers::trace_rcs(&body, &exit)?);
+        let error = rcs_solvers::relative_error(&exit.amplitude_m, &middle.amplitude_m);
+        let statement = middle.model_error.nodes.map_or(ErrorStatement::Missing, ErrorStatement::Estimate);
+        Ok(trial.answered(format!("{angle_deg}, {azimuth_deg}"), error, statement))
     };
     [(90.0, 0.0), (88.0, 0.0), (88.0, 7.0), (95.0, 0.0), (95.0, 7.0), (100.0, 10.0)]
         .into_iter()

@@ -3,11 +3,11 @@
 
 use crate::study::atlas::methods;
 use crate::study::atlas::verdict::printed;
-use crate::study::atlas::{CaseRow, Says};
+use crate::study::atlas::{CaseRow, ErrorStatement};
 use crate::study::bodies;
 use crate::study::closed_forms;
 use crate::study::extent::Extent;
-use crate::study::looks;
+use crate::study::rcs_solvers;
 use crate::study::scenes::{frame_of, paths_of, scene_of, tables_at, with_body};
 use artifact::scene::SceneHeader;
 use wayside::host::failure::Failure;
@@ -31,11 +31,11 @@ pub(in crate::study::atlas) fn table_over_range(_: Extent) -> Result<Vec<CaseRow
     let row = |range_m: f64| {
         let header = scene_at(range_m)?;
         let table = tables_at(&header, &frame_of(&header))?;
-        let says = table.model_error.far_field.map_or(Says::Nothing, Says::About);
+        let statement = table.model_error.far_field.map_or(ErrorStatement::Missing, ErrorStatement::Estimate);
         let near = closed_forms::plate_near(SIDE_M, range_m, 0.0);
         // The table's own S at its middle aspect is the far-field closed form; its comparison is over the
         // band.
-        Ok(trial.answered(range_m, looks::relative_error(&[far], &[near]), says))
+        Ok(trial.answered(range_m, rcs_solvers::relative_error(&[far], &[near]), statement))
     };
     RANGES_M.into_iter().map(row).collect()
 }
@@ -46,15 +46,15 @@ pub(in crate::study::atlas) fn paths_over_range(_: Extent) -> Result<Vec<CaseRow
     let row = |range_m: f64| {
         let header = scene_at(range_m)?;
         let frame = paths_of(&header)?;
-        let says = printed(&frame.error);
+        let statement = printed(&frame.error);
         let near = closed_forms::plate_near(SIDE_M, range_m, 0.0);
         Ok(trial.answered(
             range_m,
-            looks::relative_error(
-                &[looks::about_first_body(&header, &frame.paths, looks::FREQUENCY_HZ)[0][0]],
+            rcs_solvers::relative_error(
+                &[rcs_solvers::first_body_scattering(&header, &frame.paths, rcs_solvers::FREQUENCY_HZ)[0][0]],
                 &[near],
             ),
-            says,
+            statement,
         ))
     };
     RANGES_M.into_iter().map(row).collect()

@@ -2,11 +2,11 @@
 
 use crate::study::atlas::methods::{self, Method};
 use crate::study::atlas::verdict::{documented, printed, without_edges};
-use crate::study::atlas::{CaseRow, Says};
+use crate::study::atlas::{CaseRow, ErrorStatement};
 use crate::study::bodies;
 use crate::study::closed_forms;
 use crate::study::extent::Extent;
-use crate::study::looks;
+use crate::study::rcs_solvers;
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;
 use artifact::settings::{Edges, Sides};
@@ -20,11 +20,12 @@ pub(in crate::study::atlas) fn plate(_: Extent) -> Result<Vec<CaseRow>, Failure>
     let trial = methods::BART.trial("plate seen nearly along itself", "degrees from its plane");
     let body = bodies::plate(0.1);
     let row = |grazing_deg: f64| {
-        let result = looks::traced(&body, &looks::first_order(90.0 - grazing_deg, 0.0))?;
+        let result =
+            rcs_solvers::trace_rcs(&body, &rcs_solvers::first_order_request(90.0 - grazing_deg, 0.0))?;
         let exact = closed_forms::plate_far(0.1, (90.0 - grazing_deg).to_radians());
         Ok(trial.answered(
             grazing_deg,
-            looks::relative_error(&result.amplitude_m, &[exact]),
+            rcs_solvers::relative_error(&result.amplitude_m, &[exact]),
             printed(&result.error),
         ))
     };
@@ -37,9 +38,10 @@ pub(in crate::study::atlas) fn wall_of_a_corner(_: Extent) -> Result<Vec<CaseRow
     let trial = methods::BART.trial("beams almost along a wall of a corner", "degrees from the wall");
     let body = bodies::dihedral(90.0);
     let row = |grazing_deg: f64| {
-        let result = looks::traced(&body, &looks::bounced(45.0 - grazing_deg, 0.0, 2))?;
-        let level =
-            (16.0 * PI).sqrt() * 0.15_f64.powi(2) / looks::WAVELENGTH_M * grazing_deg.to_radians().sin();
+        let result =
+            rcs_solvers::trace_rcs(&body, &rcs_solvers::request_with_bounces(45.0 - grazing_deg, 0.0, 2))?;
+        let level = (16.0 * PI).sqrt() * 0.15_f64.powi(2) / rcs_solvers::WAVELENGTH_M
+            * grazing_deg.to_radians().sin();
         // Relative to the whole of S, like the printed error.
         let error = (result.by_order_m[1][0].norm() - level).abs() / result.amplitude_m[0].norm();
         Ok(trial.answered(grazing_deg, error, printed(&result.error)))
@@ -63,7 +65,7 @@ const STRIP_DB: [(f64, f64, f64); 8] = [
 const LENGTH_M: f64 = 1.0;
 
 fn strip() -> Mesh {
-    let half_m = 5.0 * looks::WAVELENGTH_M;
+    let half_m = 5.0 * rcs_solvers::WAVELENGTH_M;
     bodies::parallelograms(&[[
         [0.0, -half_m, -0.5 * LENGTH_M],
         [0.0, 2.0 * half_m, 0.0],
@@ -89,12 +91,16 @@ fn strip_rows(method: Method, edges: Edges) -> Result<Vec<CaseRow>, Failure> {
     let words = "A wave is followed while its current is above a fiftieth";
     let fringes = documented("docs/decisions/edges.md", words)?;
     let row = |(name, polarization, from_plane_deg, db): (&str, Polarization, f64, f64)| {
-        let request = RcsRequest { edges, polarization, ..looks::first_order(90.0 - from_plane_deg, 0.0) };
-        let result = looks::traced(&body, &request)?;
+        let request = RcsRequest {
+            edges,
+            polarization,
+            ..rcs_solvers::first_order_request(90.0 - from_plane_deg, 0.0)
+        };
+        let result = rcs_solvers::trace_rcs(&body, &request)?;
         let level = LENGTH_M * 10_f64.powf(db / 20.0) / PI.sqrt();
-        let error = looks::level_error(result.amplitude_m[0].norm(), level);
-        let says = if edges == Edges::Ignored { without_edges(&result) } else { fringes };
-        Ok(trial.answered(format!("{name}, {from_plane_deg}"), error, says))
+        let error = rcs_solvers::level_error(result.amplitude_m[0].norm(), level);
+        let statement = if edges == Edges::Ignored { without_edges(&result) } else { fringes };
+        Ok(trial.answered(format!("{name}, {from_plane_deg}"), error, statement))
     };
     let e = STRIP_DB.into_iter().map(|(deg, e, _)| ("E", Polarization::Vv, deg, e));
     let h = STRIP_DB.into_iter().map(|(deg, _, h)| ("H", Polarization::Hh, deg, h));
@@ -104,14 +110,14 @@ fn strip_rows(method: Method, edges: Edges) -> Result<Vec<CaseRow>, Failure> {
 /// Rays on a plate 10° from its plane: the grid's moiré.
 pub(in crate::study::atlas) fn glancing_rays(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::SBR.trial("plate seen 10° from its plane", "rays per wavelength");
-    let (body, request) = (bodies::plate(0.1), looks::first_order(80.0, 0.0));
+    let (body, request) = (bodies::plate(0.1), rcs_solvers::first_order_request(80.0, 0.0));
     let exact = closed_forms::plate_far(0.1, 80_f64.to_radians());
     let row = |per_wavelength: f64| {
         let shooting =
-            sbr::Shooting { per_wavelength, bounces: 1, sides: Sides::Two, bracket: Bracket::Plain };
-        let found = looks::shot(&body, &request, &shooting)?[0];
-        let says = Says::Words("error_db is null: a reference is known by its density alone");
-        Ok(trial.answered(per_wavelength, looks::relative_error(&[found], &[exact]), says))
+            sbr::RaySettings { per_wavelength, bounces: 1, sides: Sides::Two, bracket: Bracket::Plain };
+        let found = rcs_solvers::sbr_amplitudes(&body, &request, &shooting)?[0];
+        let statement = ErrorStatement::Remark("error_db is null: a reference is known by its density alone");
+        Ok(trial.answered(per_wavelength, rcs_solvers::relative_error(&[found], &[exact]), statement))
     };
     [2.0, 8.0, 32.0].into_iter().map(row).collect()
 }

@@ -6,7 +6,7 @@ use crate::study::atlas::verdict::printed;
 use crate::study::bodies;
 use crate::study::closed_forms;
 use crate::study::extent::Extent;
-use crate::study::looks;
+use crate::study::rcs_solvers;
 use bart_rcs::RcsRequest;
 use wayside::host::failure::Failure;
 
@@ -15,11 +15,11 @@ pub(in crate::study::atlas) fn small_phases(_: Extent) -> Result<Vec<CaseRow>, F
     let trial = methods::BART.trial("plate almost square to the wave (Gordon 0/0)", "azimuth_deg");
     let plate = bodies::plate(0.3);
     let row = |azimuth_deg: f64| {
-        let result = looks::traced(&plate, &looks::first_order(azimuth_deg, 0.0))?;
+        let result = rcs_solvers::trace_rcs(&plate, &rcs_solvers::first_order_request(azimuth_deg, 0.0))?;
         let exact = closed_forms::plate_far(0.3, azimuth_deg.to_radians());
         Ok(trial.answered(
             azimuth_deg,
-            looks::relative_error(&result.amplitude_m, &[exact]),
+            rcs_solvers::relative_error(&result.amplitude_m, &[exact]),
             printed(&result.error),
         ))
     };
@@ -35,13 +35,13 @@ pub(in crate::study::atlas) fn off_specular(_: Extent) -> Result<Vec<CaseRow>, F
         let request = RcsRequest {
             range_m: 25.0,
             accuracy: artifact::Accuracy::from_db(-40.0),
-            ..looks::first_order(azimuth_deg, 0.0)
+            ..rcs_solvers::first_order_request(azimuth_deg, 0.0)
         };
-        let result = looks::traced(&plate, &request)?;
+        let result = rcs_solvers::trace_rcs(&plate, &request)?;
         let exact = closed_forms::plate_near(1.2, 25.0, azimuth_deg.to_radians());
         Ok(trial.answered(
             azimuth_deg,
-            looks::relative_error(&result.amplitude_m, &[exact]),
+            rcs_solvers::relative_error(&result.amplitude_m, &[exact]),
             printed(&result.error),
         ))
     };

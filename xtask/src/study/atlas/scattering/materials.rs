@@ -2,12 +2,12 @@
 
 use crate::study::atlas::methods;
 use crate::study::atlas::verdict::{documented, printed};
-use crate::study::atlas::{CaseRow, Says};
+use crate::study::atlas::{CaseRow, ErrorStatement};
 use crate::study::bodies;
 use crate::study::closed_forms;
 use crate::study::extent::Extent;
-use crate::study::looks;
-use artifact::material::{Backing, Layer, Makeup, Material, Thickness, Transmission};
+use crate::study::rcs_solvers;
+use artifact::material::{Backing, Layer, Material, MeshMaterials, Thickness, Transmission};
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;
 use bart_rcs::RcsRequest;
@@ -21,7 +21,7 @@ const GLASS: Complex64 = Complex64::new(6.5, -0.15);
 fn made_of(mut body: Mesh, material: Material, transmission: Transmission) -> Mesh {
     body.materials = vec!["glass".into()];
     body.material_of_triangle = vec![0; body.triangles.len()];
-    body.makeup = Makeup { materials: vec![material], transmission };
+    body.makeup = MeshMaterials { materials: vec![material], transmission };
     body
 }
 
@@ -37,10 +37,10 @@ fn pane(thickness_m: f64, thickness: Thickness) -> Material {
 fn slab(thickness_m: f64) -> [Complex64; 2] {
     let s = GLASS.sqrt();
     let r = (1.0 - s) / (1.0 + s);
-    let turn = |thickness_m: f64| (Complex64::new(0.0, -looks::K * thickness_m) * s).exp();
+    let turn = |thickness_m: f64| (Complex64::new(0.0, -rcs_solvers::K * thickness_m) * s).exp();
     let (once, twice) = (turn(thickness_m), turn(2.0 * thickness_m));
     let all = 1.0 - r * r * twice;
-    [r * (1.0 - twice) / all, (1.0 - r * r) * once / all * Complex64::cis(looks::K * thickness_m)]
+    [r * (1.0 - twice) / all, (1.0 - r * r) * once / all * Complex64::cis(rcs_solvers::K * thickness_m)]
 }
 
 /// Panes of 4 to 6 mm at normal incidence: each fraction of a millimetre changes the level.
@@ -50,17 +50,19 @@ pub(in crate::study::atlas) fn panes(_: Extent) -> Result<Vec<CaseRow>, Failure>
         documented("docs/materials.md", "A pane of 4 to 6 mm reflects between −15.1 and −3.8 dB at 0°")?;
     let row = |(thickness_m, thickness): (f64, Thickness)| {
         let body = made_of(bodies::plate(0.1), pane(thickness_m, thickness), Transmission::Ignored);
-        let result = looks::traced(&body, &looks::first_order(0.0, 0.0))?;
+        let result = rcs_solvers::trace_rcs(&body, &rcs_solvers::first_order_request(0.0, 0.0))?;
         let exact = -slab(thickness_m)[0] * closed_forms::plate_far(0.1, 0.0);
-        let (name, error, says) = match thickness {
-            Thickness::Exact => {
-                ("exactly", looks::relative_error(&result.amplitude_m, &[exact]), printed(&result.error))
-            }
+        let (name, error, statement) = match thickness {
+            Thickness::Exact => (
+                "exactly",
+                rcs_solvers::relative_error(&result.amplitude_m, &[exact]),
+                printed(&result.error),
+            ),
             Thickness::Averaged => {
-                ("about", looks::level_error(result.amplitude_m[0].norm(), exact.norm()), averaged)
+                ("about", rcs_solvers::level_error(result.amplitude_m[0].norm(), exact.norm()), averaged)
             }
         };
-        Ok(trial.answered(format!("{}, {name}", 1e3 * thickness_m), error, says))
+        Ok(trial.answered(format!("{}, {name}", 1e3 * thickness_m), error, statement))
     };
     let thicknesses_m = [4.0e-3, 4.2e-3, 4.4e-3, 4.6e-3];
     let exactly = thicknesses_m.iter().map(|d| (*d, Thickness::Exact));
@@ -75,8 +77,8 @@ pub(in crate::study::atlas) fn half_space(_: Extent) -> Result<Vec<CaseRow>, Fai
     let body =
         made_of(bodies::plate(0.1), Material::HalfSpace { permittivity: GLASS }, Transmission::Ignored);
     let row = |(name, polarization, off_deg): (&str, Polarization, f64)| {
-        let request = RcsRequest { polarization, ..looks::first_order(off_deg, 0.0) };
-        let result = looks::traced(&body, &request)?;
+        let request = RcsRequest { polarization, ..rcs_solvers::first_order_request(off_deg, 0.0) };
+        let result = rcs_solvers::trace_rcs(&body, &request)?;
         let (sin, cos) = off_deg.to_radians().sin_cos();
         let s = (GLASS - sin * sin).sqrt();
         let factor = match polarization {
@@ -84,7 +86,7 @@ pub(in crate::study::atlas) fn half_space(_: Extent) -> Result<Vec<CaseRow>, Fai
             _ => (s - cos) / (s + cos),
         };
         let exact = factor * closed_forms::plate_far(0.1, off_deg.to_radians());
-        let error = looks::relative_error(&result.amplitude_m, &[exact]);
+        let error = rcs_solvers::relative_error(&result.amplitude_m, &[exact]);
         Ok(trial.answered(format!("{name}, {off_deg}"), error, printed(&result.error)))
     };
     let angles = [0.0, 30.0, 68.0, 68.6, 85.0];
@@ -101,15 +103,17 @@ pub(in crate::study::atlas) fn behind_a_pane(_: Extent) -> Result<Vec<CaseRow>, 
     body.materials = vec!["glass".into(), "metal".into()];
     body.material_of_triangle = vec![0, 0, 1, 1];
     let [reflected, passed] = slab(thickness_m);
-    let exact = -reflected * closed_forms::plate_far(0.2, 0.0) * Complex64::cis(2.0 * looks::K * before_m)
-        + passed * passed * closed_forms::plate_far(0.1, 0.0);
+    let exact =
+        -reflected * closed_forms::plate_far(0.2, 0.0) * Complex64::cis(2.0 * rcs_solvers::K * before_m)
+            + passed * passed * closed_forms::plate_far(0.1, 0.0);
     let row = |(name, transmission): (&str, Transmission)| {
         let materials = vec![pane(thickness_m, Thickness::Exact), Material::Conductor];
         let mut asked = body.clone();
-        asked.makeup = Makeup { materials, transmission };
-        let result = looks::traced(&asked, &looks::first_order(0.0, 0.0))?;
-        let says = result.model_error.transmission.map_or(printed(&result.error), Says::About);
-        Ok(trial.answered(name, looks::relative_error(&result.amplitude_m, &[exact]), says))
+        asked.makeup = MeshMaterials { materials, transmission };
+        let result = rcs_solvers::trace_rcs(&asked, &rcs_solvers::first_order_request(0.0, 0.0))?;
+        let statement =
+            result.model_error.transmission.map_or(printed(&result.error), ErrorStatement::Estimate);
+        Ok(trial.answered(name, rcs_solvers::relative_error(&result.amplitude_m, &[exact]), statement))
     };
     [("followed", Transmission::Followed), ("ignored", Transmission::Ignored)].into_iter().map(row).collect()
 }

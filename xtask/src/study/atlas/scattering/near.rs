@@ -2,11 +2,11 @@
 
 use crate::study::atlas::methods;
 use crate::study::atlas::verdict::printed;
-use crate::study::atlas::{CaseRow, Says};
+use crate::study::atlas::{CaseRow, ErrorStatement};
 use crate::study::bodies::{self, Face};
 use crate::study::closed_forms;
 use crate::study::extent::Extent;
-use crate::study::looks;
+use crate::study::rcs_solvers;
 use artifact::scene::Mesh;
 use bart_rcs::{RcsRequest, RcsResult};
 use num_complex::Complex64;
@@ -14,7 +14,10 @@ use std::f64::consts::PI;
 use wayside::host::failure::Failure;
 
 fn from_near(body: &Mesh, range_m: f64, bounces: u8) -> Result<RcsResult, Failure> {
-    looks::traced(body, &RcsRequest { range_m, ..looks::bounced(0.0, 0.0, bounces) })
+    rcs_solvers::trace_rcs(
+        body,
+        &RcsRequest { range_m, ..rcs_solvers::request_with_bounces(0.0, 0.0, bounces) },
+    )
 }
 
 /// Antennas nearer than a wavelength, in a closed body, on a corner.
@@ -24,8 +27,10 @@ pub(in crate::study::atlas) fn antennas_in_bodies(_: Extent) -> Result<Vec<CaseR
     let room = bodies::shifted(bodies::cube(2.0, &Face::ALL), [0.0, 0.0, -1.0]);
     Ok(vec![
         trial.must_refuse("on a plate", from_near(&plate, 1e-9, 1)),
-        trial
-            .must_refuse("half a wavelength before a plate", from_near(&plate, 0.5 * looks::WAVELENGTH_M, 1)),
+        trial.must_refuse(
+            "half a wavelength before a plate",
+            from_near(&plate, 0.5 * rcs_solvers::WAVELENGTH_M, 1),
+        ),
         trial.must_refuse("in the middle of a closed room", from_near(&room, 1e-3, 3)),
         trial.must_refuse("in a closed room, near its wall", from_near(&room, 0.99, 3)),
         trial.must_refuse("in the corner of a closed room", {
@@ -41,7 +46,7 @@ pub(in crate::study::atlas) fn larger_than_its_distance(_: Extent) -> Result<Vec
     let row = |(side_m, range_m): (f64, f64)| {
         let result = from_near(&bodies::plate(side_m), range_m, 1)?;
         let exact = closed_forms::plate_near(side_m, range_m, 0.0);
-        let error = looks::relative_error(&result.amplitude_m, &[exact]);
+        let error = rcs_solvers::relative_error(&result.amplitude_m, &[exact]);
         Ok(trial.answered(format!("{side_m}, {range_m}"), error, printed(&result.error)))
     };
     [(0.02, 0.004), (0.05, 0.05), (0.1, 0.05), (0.2, 0.05)].into_iter().map(row).collect()
@@ -52,7 +57,7 @@ pub(in crate::study::atlas) fn sphere_from_close_by(_: Extent) -> Result<Vec<Cas
     let trial =
         methods::BART.trial("sphere of 10 cm from close by, geometrical optics", "distance of its skin, m");
     let radius_m = 0.1;
-    let cells = (0.5 * PI * radius_m / (0.1 * (radius_m * looks::WAVELENGTH_M).sqrt())).ceil() as u32;
+    let cells = (0.5 * PI * radius_m / (0.1 * (radius_m * rcs_solvers::WAVELENGTH_M).sqrt())).ceil() as u32;
     let body = bodies::sphere(radius_m, cells);
     let row = |distance_m: f64| {
         let range_m = radius_m + distance_m;
@@ -60,7 +65,7 @@ pub(in crate::study::atlas) fn sphere_from_close_by(_: Extent) -> Result<Vec<Cas
         let level = PI.sqrt() * radius_m * range_m / distance_m;
         Ok(trial.answered(
             distance_m,
-            looks::level_error(result.amplitude_m[0].norm(), level),
+            rcs_solvers::level_error(result.amplitude_m[0].norm(), level),
             printed(&result.error),
         ))
     };
@@ -79,11 +84,13 @@ pub(in crate::study::atlas) fn between_walls(_: Extent) -> Result<Vec<CaseRow>, 
     let all: Complex64 = (1..=200).map(order_between_walls).sum();
     let row = |bounces: u8| {
         let result = from_near(&body, RANGE_M, bounces)?;
-        let says = match result.model_error.bounces {
-            Some(left_out) => Says::About(left_out),
-            None => Says::Words("model_error_db.bounces is null: one order tells nothing of the next"),
+        let statement = match result.model_error.bounces {
+            Some(left_out) => ErrorStatement::Estimate(left_out),
+            None => {
+                ErrorStatement::Remark("model_error_db.bounces is null: one order tells nothing of the next")
+            }
         };
-        Ok(trial.answered(bounces, looks::relative_error(&result.amplitude_m, &[all]), says))
+        Ok(trial.answered(bounces, rcs_solvers::relative_error(&result.amplitude_m, &[all]), statement))
     };
     (1..=5).map(row).collect()
 }
@@ -94,14 +101,14 @@ fn order_between_walls(order: u32) -> Complex64 {
     let away = |images: u32| TO_WALL_M * f64::from(images);
     let (first, last) = if order.is_multiple_of(2) { (order + 1, order - 1) } else { (order, order) };
     let [to, back] = [away(first), away(last)];
-    let places = closed_forms::nodes(WALL_M, looks::K * WALL_M * (1.0 / to + 1.0 / back));
+    let places = closed_forms::nodes(WALL_M, rcs_solvers::K * WALL_M * (1.0 / to + 1.0 / back));
     let mut sum = Complex64::ZERO;
     for (y, wy) in &places {
         for (z, wz) in &places {
             let [l1, l2] = [to, back].map(|x| (x * x + y * y + z * z).sqrt());
             let cosine = 0.5 * (to / l1 + back / l2);
             let weight = wy * wz * cosine * RANGE_M * RANGE_M / (l1 * l2);
-            sum += weight * Complex64::cis(-looks::K * (l1 + l2 - 2.0 * RANGE_M));
+            sum += weight * Complex64::cis(-rcs_solvers::K * (l1 + l2 - 2.0 * RANGE_M));
         }
     }
     let sign = if order.is_multiple_of(2) { -2.0 } else { 2.0 };

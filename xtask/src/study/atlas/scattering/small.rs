@@ -6,7 +6,7 @@ use crate::study::atlas::verdict::{documented, printed};
 use crate::study::bodies;
 use crate::study::closed_forms;
 use crate::study::extent::Extent;
-use crate::study::looks;
+use crate::study::rcs_solvers;
 use artifact::scene::Mesh;
 use artifact::settings::Edges;
 use bart_rcs::RcsRequest;
@@ -31,13 +31,13 @@ pub(in crate::study::atlas) fn discs(_: Extent) -> Result<Vec<CaseRow>, Failure>
         "bodies under some ten wavelengths in size (ka < 10: creeping waves, tips)",
     )?;
     let row = |(name, edges, ka): (&str, Edges, f64)| {
-        let radius_m = ka / looks::K;
-        let request = RcsRequest { edges, ..looks::first_order(0.0, 0.0) };
-        let result = looks::traced(&disc(radius_m, 64), &request)?;
-        let level = 8.0 / (3.0 * PI.sqrt()) * looks::K * looks::K * radius_m.powi(3);
+        let radius_m = ka / rcs_solvers::K;
+        let request = RcsRequest { edges, ..rcs_solvers::first_order_request(0.0, 0.0) };
+        let result = rcs_solvers::trace_rcs(&disc(radius_m, 64), &request)?;
+        let level = 8.0 / (3.0 * PI.sqrt()) * rcs_solvers::K * rcs_solvers::K * radius_m.powi(3);
         Ok(trial.answered(
             format!("{name}, {ka}"),
-            looks::level_error(result.amplitude_m[0].norm(), level),
+            rcs_solvers::level_error(result.amplitude_m[0].norm(), level),
             page,
         ))
     };
@@ -56,11 +56,12 @@ pub(in crate::study::atlas) fn discs(_: Extent) -> Result<Vec<CaseRow>, Failure>
 pub(in crate::study::atlas) fn sizes(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::BART.trial("plates of any size", "side_m");
     let row = |side_m: f64| {
-        let result = looks::traced(&bodies::plate(side_m), &looks::first_order(1.0, 0.0))?;
+        let result =
+            rcs_solvers::trace_rcs(&bodies::plate(side_m), &rcs_solvers::first_order_request(1.0, 0.0))?;
         let exact = closed_forms::plate_far(side_m, 1_f64.to_radians());
         Ok(trial.answered(
             side_m,
-            looks::relative_error(&result.amplitude_m, &[exact]),
+            rcs_solvers::relative_error(&result.amplitude_m, &[exact]),
             printed(&result.error),
         ))
     };

@@ -2,7 +2,7 @@
 
 use crate::study::atlas::methods;
 use crate::study::atlas::signals::strongest::{strongest, unless_resolved};
-use crate::study::atlas::{CaseRow, Says};
+use crate::study::atlas::{CaseRow, ErrorStatement};
 use crate::study::extent::Extent;
 use crate::study::scenes::{scene_of, with_point};
 use artifact::points::Object;
@@ -24,7 +24,7 @@ fn truth(header: &SceneHeader) -> (f64, f64) {
 }
 
 /// Relative error of the speed of an approaching point, with its object's statement.
-fn speed_off(words: &str, place_m: [f64; 3], speed_mps: f64) -> Result<(f64, Says), Failure> {
+fn speed_off(words: &str, place_m: [f64; 3], speed_mps: f64) -> Result<(f64, ErrorStatement), Failure> {
     let header = scene_of(&format!("{NOISE}{words}"))?;
     let header = with_point(header, 1.0, place_m, [0.0, -speed_mps, 0.0]);
     let (_, true_mps) = truth(&header);
@@ -37,12 +37,12 @@ fn speed_off(words: &str, place_m: [f64; 3], speed_mps: f64) -> Result<(f64, Say
 pub(in crate::study::atlas) fn velocity(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::MAP.trial("speed against v_max 8.78 m/s (experiment 3)", "speed_mps");
     let row = |speed_mps: f64| {
-        let (error, says) = speed_off(
+        let (error, statement) = speed_off(
             "[radar.waveform]\nsamples = 512\n[radar.array]\npreset = \"1x4\"\n",
             PLACE_M,
             speed_mps,
         )?;
-        Ok(trial.answered(speed_mps, error, says))
+        Ok(trial.answered(speed_mps, error, statement))
     };
     [5.0, 8.0, 10.0, 20.0].into_iter().map(row).collect()
 }
@@ -50,7 +50,7 @@ pub(in crate::study::atlas) fn velocity(_: Extent) -> Result<Vec<CaseRow>, Failu
 /// 256 samples at 5.12 MHz: a beat of f_s is 61.4 m away.
 pub(in crate::study::atlas) fn range(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::MAP.trial("range against R_max 61.4 m", "range_m");
-    let says = Says::Words("summary: range_max_m below the truth's range, estimate null");
+    let statement = ErrorStatement::Remark("summary: range_max_m below the truth's range, estimate null");
     let row = |range_m: f64| {
         let header = scene_of(&format!("{NOISE}[radar.array]\npreset = \"1x4\"\n"))?;
         let header = with_point(header, 1.0, [0.0, range_m, 6.0], [0.0, -5.0, 0.0]);
@@ -58,7 +58,7 @@ pub(in crate::study::atlas) fn range(_: Extent) -> Result<Vec<CaseRow>, Failure>
         let object = detected(&header)?;
         let error = ((object.range_m - true_m) / true_m).abs();
         let beyond = true_m > header.radar.waveform.range_max_m();
-        Ok(trial.answered(range_m, error, if beyond { says } else { Says::Nothing }))
+        Ok(trial.answered(range_m, error, if beyond { statement } else { ErrorStatement::Missing }))
     };
     [50.0, 60.0, 70.0].into_iter().map(row).collect()
 }
@@ -86,8 +86,8 @@ pub(in crate::study::atlas) fn transmitters_in_turn(_: Extent) -> Result<Vec<Cas
 pub(in crate::study::atlas) fn beyond_the_bands(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::DDM.trial("speed beyond the span of Doppler division, ±16.2 m/s", "speed_mps");
     let row = |speed_mps: f64| {
-        let (error, says) = speed_off("[radar.array]\nmultiplexing = \"ddm\"\n", PLACE_M, speed_mps)?;
-        Ok(trial.answered(speed_mps, error, says))
+        let (error, statement) = speed_off("[radar.array]\nmultiplexing = \"ddm\"\n", PLACE_M, speed_mps)?;
+        Ok(trial.answered(speed_mps, error, statement))
     };
     [10.0, 15.0, 20.0, 29.0].into_iter().map(row).collect()
 }
@@ -97,12 +97,12 @@ pub(in crate::study::atlas) fn beyond_the_bands(_: Extent) -> Result<Vec<CaseRow
 pub(in crate::study::atlas) fn crossing_cells(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::BPM.trial("speed of a point that crosses range cells within a frame", "speed_mps");
     let row = |speed_mps: f64| {
-        let (error, says) = speed_off(
+        let (error, statement) = speed_off(
             "[radar.waveform]\nsamples = 512\n[radar.array]\nmultiplexing = \"bpm\"\n",
             [9.5, 40.0, 1.0],
             speed_mps,
         )?;
-        Ok(trial.answered(speed_mps, error, says))
+        Ok(trial.answered(speed_mps, error, statement))
     };
     [3.0, 12.0, 30.0].into_iter().map(row).collect()
 }

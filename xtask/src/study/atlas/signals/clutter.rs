@@ -2,9 +2,9 @@
 
 use crate::study::atlas::methods;
 use crate::study::atlas::verdict::documented;
-use crate::study::atlas::{CaseRow, Says};
+use crate::study::atlas::{CaseRow, ErrorStatement};
 use crate::study::extent::Extent;
-use crate::study::scenes::{cube_header, paths_of, scene_of, seen, synthesizer};
+use crate::study::scenes::{cube_header, detect, paths_of, scene_of, synthesizer};
 use artifact::settings::{Detector, Window};
 use dsp::cfar::Cfar;
 use rand::{RngExt, SeedableRng};
@@ -21,7 +21,7 @@ const NEAR: usize = 10;
 /// cells next to the step, on its upper side.
 pub(in crate::study::atlas) fn steps(extent: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::CFAR.trial("false alarms on a step of the clutter by 30 dB", "detector");
-    let says = documented(
+    let statement = documented(
         "docs/scenes.md",
         "All detectors take the noise of a cell and of its training cells to be alike",
     )?;
@@ -30,9 +30,9 @@ pub(in crate::study::atlas) fn steps(extent: Extent) -> Result<Vec<CaseRow>, Fai
         (header.dsp.range_window, header.dsp.doppler_window) = (Window::Rect, Window::Rect);
         (header.dsp.false_alarm_rate, header.dsp.detector) = (ASKED, detector);
         let cfar = Cfar::new(&cube_header(&header)).map_err(Failure::refused)?;
-        let rate = on_the_step(&cfar, extent.of(150));
+        let rate = on_the_step(&cfar, extent.case_count(150));
         // An excess counts as it is; a shortfall as the missing share.
-        Ok(trial.answered(name, (rate / ASKED - 1.0).abs(), says))
+        Ok(trial.answered(name, (rate / ASKED - 1.0).abs(), statement))
     };
     [
         ("ca-cfar", Detector::CaCfar),
@@ -69,8 +69,8 @@ pub(in crate::study::atlas) fn without_target(_: Extent) -> Result<Vec<CaseRow>,
     let trial = methods::CA_CFAR.trial("a frame without a target: objects", "noise");
     let row = |(name, words): (&str, &str)| {
         let header = scene_of(&format!("{words}[dsp]\nfalse_alarm_rate = 1e-9\n"))?;
-        let objects = seen(&header)?.points.objects.len();
-        Ok(trial.answered(name, objects as f64, Says::Nothing))
+        let objects = detect(&header)?.points.objects.len();
+        Ok(trial.answered(name, objects as f64, ErrorStatement::Missing))
     };
     [
         ("none", ""),
@@ -80,7 +80,7 @@ pub(in crate::study::atlas) fn without_target(_: Extent) -> Result<Vec<CaseRow>,
     .into_iter()
     .map(|(name, words)| {
         let header = scene_of(words)?;
-        match seen(&header) {
+        match detect(&header) {
             Ok(_) => row((name, words)),
             Err(refusal) => Ok(trial.must_refuse::<(), _>(name, Err(refusal))),
         }
@@ -91,7 +91,7 @@ pub(in crate::study::atlas) fn without_target(_: Extent) -> Result<Vec<CaseRow>,
 /// Noise alone for a hundred frames: confirmed tracks.
 pub(in crate::study::atlas) fn noise_alone(extent: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::TRACKS.trial("noise alone: tracks that are believed", "false alarms asked, frames");
-    let frames = extent.of(100) as u32;
+    let frames = extent.case_count(100) as u32;
     let row = |rate: f64| {
         let mut header = scene_of("[noise]\nnoise_figure_db = 12.0\n[radar.array]\npreset = \"1x4\"\n")?;
         header.dsp.false_alarm_rate = rate;
@@ -110,7 +110,7 @@ pub(in crate::study::atlas) fn noise_alone(extent: Extent) -> Result<Vec<CaseRow
                 |t: &&artifact::tracks::Track| t.state != artifact::tracks::TrackState::Tentative;
             believed.extend(tracks.iter().filter(is_believed).map(|t| t.id));
         }
-        Ok(trial.answered(format!("{rate:e}, {frames}"), believed.len() as f64, Says::Nothing))
+        Ok(trial.answered(format!("{rate:e}, {frames}"), believed.len() as f64, ErrorStatement::Missing))
     };
     [1e-5, 1e-4].into_iter().map(row).collect()
 }

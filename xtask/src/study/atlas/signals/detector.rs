@@ -1,9 +1,9 @@
 //! The detector at the edges of a map, between neighbours, and without noise.
 
 use crate::study::atlas::methods;
-use crate::study::atlas::{CaseRow, Says};
+use crate::study::atlas::{CaseRow, ErrorStatement};
 use crate::study::extent::Extent;
-use crate::study::scenes::{cube_header, paths_of, scene_of, seen, synthesizer, with_point};
+use crate::study::scenes::{cube_header, detect, paths_of, scene_of, synthesizer, with_point};
 use artifact::scene::SceneHeader;
 use artifact::settings::Window;
 use wayside::host::failure::Failure;
@@ -23,9 +23,11 @@ const RIM: usize = 10;
 /// Noise alone, by zone. Counting statistics are 2 % in the interior and 5 % at an edge of 2·10⁵ cells.
 fn false_alarms(extent: Extent, name: &str, window: Window) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::CA_CFAR.trial("false alarms by zone, asked 1e-2", "window, zone");
-    let says = match window {
-        Window::Rect => Says::Nothing,
-        _ => Says::Words("docs/physics.md §8: tapered cells are correlated, 0.8 to 1.3 of the rate asked"),
+    let statement = match window {
+        Window::Rect => ErrorStatement::Missing,
+        _ => ErrorStatement::Remark(
+            "docs/physics.md §8: tapered cells are correlated, 0.8 to 1.3 of the rate asked",
+        ),
     };
     let mut header = scene_of("[radar.array]\npreset = \"1x1\"\n[noise]\nnoise_figure_db = 12.0\n")?;
     (header.dsp.range_window, header.dsp.doppler_window) = (window, window);
@@ -35,8 +37,9 @@ fn false_alarms(extent: Extent, name: &str, window: Window) -> Result<Vec<CaseRo
         Extent::Full => 120,
     };
     let [edge, interior] = counted(&header, frames)?;
-    let row =
-        |zone: &str, rate: f64| trial.answered(format!("{name}, {zone}"), (rate / ASKED - 1.0).abs(), says);
+    let row = |zone: &str, rate: f64| {
+        trial.answered(format!("{name}, {zone}"), (rate / ASKED - 1.0).abs(), statement)
+    };
     Ok(vec![row("edge", edge), row("interior", interior)])
 }
 
@@ -67,16 +70,16 @@ fn noise_map(header: &SceneHeader, receiver: &dsp::Receiver, seed: u64) -> Resul
 /// the weaker.
 fn neighbours() -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::CA_CFAR.trial("two points three cells apart", "second below first, dB");
-    let says = Says::Words("docs/physics.md §10: ca-cfar masks a weaker neighbour");
+    let statement = ErrorStatement::Remark("docs/physics.md §10: ca-cfar masks a weaker neighbour");
     let row = |below_db: f64| {
         let header = scene_of("[radar.array]\npreset = \"1x4\"\n[noise]\nsnr_db = 50.0\n")?;
         let gap_m = 3.0 * header.radar.waveform.range_resolution_m();
         let header = with_point(header, 1.0, [0.0, 40.0, 6.0], [0.0; 3]);
         let header = with_point(header, 10_f64.powf(-0.1 * below_db), [0.0, 40.0 + gap_m, 6.0], [0.0; 3]);
-        let points = seen(&header)?.points.points;
+        let points = detect(&header)?.points.points;
         let away =
             |range_m: f64| points.iter().map(|p| (p.range_m - range_m).abs()).fold(f64::INFINITY, f64::min);
-        Ok(trial.answered(below_db, away(40.0).max(away(40.0 + gap_m)) / gap_m, says))
+        Ok(trial.answered(below_db, away(40.0).max(away(40.0 + gap_m)) / gap_m, statement))
     };
     [0.0, 15.0].into_iter().map(row).collect()
 }
@@ -89,13 +92,12 @@ fn without_noise() -> Result<Vec<CaseRow>, Failure> {
         let header = scene_of("[radar.array]\npreset = \"1x4\"\n[dsp]\nrange_window = \"blackman\"\n")?;
         let header = with_point(header, 1.0, [0.0, 40.0, 6.0], [0.0; 3]);
         let header = with_point(header, 10_f64.powf(-0.1 * below_db), [0.0, 30.0, 6.0], [0.0; 3]);
-        let found = seen(&header)?;
+        let found = detect(&header)?;
         let is_there = found.points.points.iter().any(|p| (p.range_m - 30.0).abs() < 0.25);
-        let says = found
-            .map
-            .assumed_floor
-            .map_or(Says::Nothing, |_| Says::Words("assumed_floor is set: 60 dB below the peak"));
-        Ok(trial.answered(below_db, if is_there { 0.0 } else { 1.0 }, says))
+        let statement = found.map.assumed_floor.map_or(ErrorStatement::Missing, |_| {
+            ErrorStatement::Remark("assumed_floor is set: 60 dB below the peak")
+        });
+        Ok(trial.answered(below_db, if is_there { 0.0 } else { 1.0 }, statement))
     };
     [30.0, 50.0, 80.0].into_iter().map(row).collect()
 }

@@ -4,9 +4,9 @@
 use crate::study::atlas::methods;
 use crate::study::atlas::signals::strongest::{strongest, unless_resolved};
 use crate::study::atlas::verdict::documented;
-use crate::study::atlas::{CaseRow, Says};
+use crate::study::atlas::{CaseRow, ErrorStatement};
 use crate::study::extent::Extent;
-use crate::study::scenes::{scene_of, seen, with_point};
+use crate::study::scenes::{detect, scene_of, with_point};
 use artifact::scene::SceneHeader;
 use wayside::host::failure::Failure;
 
@@ -28,7 +28,7 @@ pub(in crate::study::atlas) fn ranges(_: Extent) -> Result<Vec<CaseRow>, Failure
         Ok(trial.answered(
             range_m,
             cells_off(&header, range_m)?,
-            if is_beyond { folded } else { Says::Nothing },
+            if is_beyond { folded } else { ErrorStatement::Missing },
         ))
     };
     [0.05, 0.24, 1.0, 60.9, 61.2, 61.36, 61.6].into_iter().map(row).collect()
@@ -40,7 +40,8 @@ pub(in crate::study::atlas) fn at_the_radar(_: Extent) -> Result<Vec<CaseRow>, F
     let point = |place: &str| {
         scene_of(&format!("[[target]]\nkind = \"point\"\nid = \"p\"\nrcs_m2 = 1.0\nposition_m = {place}\n"))
     };
-    let seen_of = |header: Result<SceneHeader, Failure>| header.and_then(|header| seen(&header).map(|_| ()));
+    let seen_of =
+        |header: Result<SceneHeader, Failure>| header.and_then(|header| detect(&header).map(|_| ()));
     Ok(vec![
         trial.must_refuse("a point in the array's centre", seen_of(point("[0.0, 0.0, 6.0]"))),
         trial.must_refuse("a point a millimetre before it", seen_of(point("[0.0, 0.001, 6.0]"))),
@@ -57,7 +58,7 @@ pub(in crate::study::atlas) fn speeds(_: Extent) -> Result<Vec<CaseRow>, Failure
         )?;
         let header = with_point(header, 1.0, [0.0, 40.0, 6.0], [0.0, speed_mps, 0.0]);
         let Some(object) = strongest(&header)? else {
-            return Ok(trial.answered(speed_mps, 1.0, Says::Nothing));
+            return Ok(trial.answered(speed_mps, 1.0, ErrorStatement::Missing));
         };
         let error = (object.radial_velocity_mps / speed_mps - 1.0).abs();
         Ok(trial.answered(speed_mps, error, unless_resolved(&object)))
@@ -73,7 +74,7 @@ pub(in crate::study::atlas) fn waveforms(_: Extent) -> Result<Vec<CaseRow>, Fail
         let header = with_point(header, 1.0, [0.0, 20.0, 6.0], [0.0, -6.0, 0.0]);
         let middle_m = 20.0 - 6.0 * header.radar.frame_middle_s();
         let Some(object) = strongest(&header)? else {
-            return Ok(trial.answered(name, 1.0, Says::Nothing));
+            return Ok(trial.answered(name, 1.0, ErrorStatement::Missing));
         };
         let off = (object.range_m / middle_m - 1.0).hypot(object.radial_velocity_mps / -6.0 - 1.0);
         Ok(trial.answered(name, off, unless_resolved(&object)))
@@ -108,10 +109,14 @@ fn azimuth_off(array: &str, azimuth_deg: f64) -> Result<f64, Failure> {
 /// Points far off the boresight: cross-range error relative to the range.
 pub(in crate::study::atlas) fn directions(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::ANGLE.trial("points far off the boresight", "azimuth_deg");
-    let says = documented("docs/scenes.md", "the two along the row itself, +90° and −90°, look alike")?;
+    let statement = documented("docs/scenes.md", "the two along the row itself, +90° and −90°, look alike")?;
     let row = |azimuth_deg: f64| {
         let error = azimuth_off("", azimuth_deg)?;
-        Ok(trial.answered(azimuth_deg, error, if azimuth_deg > 85.0 { says } else { Says::Nothing }))
+        Ok(trial.answered(
+            azimuth_deg,
+            error,
+            if azimuth_deg > 85.0 { statement } else { ErrorStatement::Missing },
+        ))
     };
     [0.0, 30.0, 60.0, 80.0, 89.0].into_iter().map(row).collect()
 }
@@ -119,12 +124,12 @@ pub(in crate::study::atlas) fn directions(_: Extent) -> Result<Vec<CaseRow>, Fai
 /// Receivers two wavelengths apart: directions whose cosines differ by a half are ambiguous.
 pub(in crate::study::atlas) fn grating_lobes(_: Extent) -> Result<Vec<CaseRow>, Failure> {
     let trial = methods::ANGLE.trial("grating lobes of a sparse array, two wavelengths apart", "azimuth_deg");
-    let says = documented("docs/scenes.md", "directions look alike whose direction cosines differ by")?;
+    let statement = documented("docs/scenes.md", "directions look alike whose direction cosines differ by")?;
     let row = |azimuth_deg: f64| {
         let sparse = "[radar.array]\ntx_half_wavelengths = [[0.0, 0.0]]\n\
                       rx_half_wavelengths = [[0.0, 0.0], [4.0, 0.0], [8.0, 0.0], [12.0, 0.0]]\n";
         let error = azimuth_off(sparse, azimuth_deg)?;
-        Ok(trial.answered(azimuth_deg, error, says))
+        Ok(trial.answered(azimuth_deg, error, statement))
     };
     [5.0, 14.0, 16.0, 25.0].into_iter().map(row).collect()
 }

@@ -1,7 +1,7 @@
 //! The tracker on objects with known truth: crossing, hidden, late, beyond the velocity span.
 
 use crate::study::atlas::methods;
-use crate::study::atlas::{CaseRow, Says};
+use crate::study::atlas::{CaseRow, ErrorStatement};
 use crate::study::extent::Extent;
 use crate::study::scenes::{cube_header, scene_of};
 use artifact::points::{Height, Object, PointsFrame};
@@ -77,7 +77,7 @@ pub(in crate::study::atlas) fn passing(_: Extent) -> Result<Vec<CaseRow>, Failur
             nearest(&frames[frame], at).map(|track| track.id)
         };
         let lost = (0..2).filter(|body| id(5, *body).is_none() || id(5, *body) != id(29, *body)).count();
-        Ok(trial.answered(format!("{apart_m}, {speeds:?}"), lost as f64, Says::Nothing))
+        Ok(trial.answered(format!("{apart_m}, {speeds:?}"), lost as f64, ErrorStatement::Missing))
     };
     [(3.75, [10.0, 10.0]), (3.75, [10.0, -5.0]), (1.0, [10.0, 10.0])].into_iter().map(row).collect()
 }
@@ -93,16 +93,16 @@ pub(in crate::study::atlas) fn hidden(_: Extent) -> Result<Vec<CaseRow>, Failure
         let truth = moved(bodies[0], seconds);
         let last = frames.last().and_then(|frame| nearest(frame, truth));
         let hidden_s = STEP_S * f64::from(hidden_frames);
-        let (error, says) = match last {
-            None => (1.0, Says::Words("the track is gone: no object for a quarter of its life")),
+        let (error, statement) = match last {
+            None => (1.0, ErrorStatement::Remark("the track is gone: no object for a quarter of its life")),
             Some(track) => {
                 let ([x, y], _) = truth;
                 let off_m = (track.position_m[0] - x).hypot(track.position_m[1] - y);
                 let state = (track.state == TrackState::Coasting).then_some("state is coasting");
-                (off_m / (10.0 * hidden_s), state.map_or(Says::Nothing, Says::Words))
+                (off_m / (10.0 * hidden_s), state.map_or(ErrorStatement::Missing, ErrorStatement::Remark))
             }
         };
-        Ok(trial.answered(format!("{hidden_s:.1}"), error, says))
+        Ok(trial.answered(format!("{hidden_s:.1}"), error, statement))
     };
     [2, 4, 15].into_iter().map(row).collect()
 }

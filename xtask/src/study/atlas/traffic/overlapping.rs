@@ -5,7 +5,7 @@ use crate::study::atlas::methods;
 use crate::study::atlas::verdict::printed;
 use crate::study::bodies::{self, Face};
 use crate::study::extent::Extent;
-use crate::study::looks;
+use crate::study::rcs_solvers;
 use crate::study::scenes::{paths_of, scene_of, with_body};
 use artifact::Accuracy;
 use artifact::paths::PathsFrame;
@@ -30,7 +30,7 @@ pub(super) fn empty(words: &str, bounces: u8) -> Result<SceneHeader, Failure> {
 
 /// S of a frame's paths relative to the first body, at 77 GHz.
 fn summed(header: &SceneHeader, frame: &PathsFrame) -> [[Complex64; 2]; 2] {
-    looks::about_first_body(header, &frame.paths, looks::FREQUENCY_HZ)
+    rcs_solvers::first_body_scattering(header, &frame.paths, rcs_solvers::FREQUENCY_HZ)
 }
 
 /// Dense sampling of all bodies as one mesh, in the axes of the first.
@@ -42,9 +42,9 @@ fn sampled(header: &SceneHeader, body: &Mesh) -> Result<Complex64, Failure> {
         azimuth_rad: vec![seen_m.y.atan2(seen_m.x)],
         elevation_rad: vec![(seen_m.z / seen_m.length()).asin()],
         range_m: seen_m.length(),
-        ..looks::first_order(0.0, 0.0)
+        ..rcs_solvers::first_order_request(0.0, 0.0)
     };
-    looks::sampled(body, &request, 2.0, 6)
+    rcs_solvers::po_amplitude(body, &request, 2.0, 6)
 }
 
 /// Two boxes of 20 cm, the second shifted: at the place of the other, half in it, a wavelength in front of
@@ -61,7 +61,7 @@ pub(in crate::study::atlas) fn boxes(_: Extent) -> Result<Vec<CaseRow>, Failure>
         let frame = paths_of(&header)?;
         let exact = sampled(&header, &bodies::joined(body.clone(), &bodies::shifted(body.clone(), shift_m)))?;
         let says = printed(&frame.error);
-        let error = looks::relative_error(&[summed(&header, &frame)[0][0]], &[exact]);
+        let error = rcs_solvers::relative_error(&[summed(&header, &frame)[0][0]], &[exact]);
         Ok(trial.answered(format!("{shift_m:?}"), error, says))
     };
     [[0.1, 0.07, 0.0], [0.0, 0.1, 0.05], [0.004, 0.0, 0.0], [-0.3, 0.05, 0.0]].into_iter().map(row).collect()
@@ -75,7 +75,7 @@ pub(in crate::study::atlas) fn twice(_: Extent) -> Result<Vec<CaseRow>, Failure>
         let twice = with_body(once.clone(), &body, PLACE_M, [0.0; 3]);
         let (one, two) = (paths_of(&once)?, paths_of(&twice)?);
         let says = printed(&two.error);
-        let error = looks::relative_error(&[summed(&twice, &two)[0][0]], &[summed(&once, &one)[0][0]]);
+        let error = rcs_solvers::relative_error(&[summed(&twice, &two)[0][0]], &[summed(&once, &one)[0][0]]);
         Ok(trial.answered(name, error, says))
     };
     [("box", bodies::cube(0.2, &Face::ALL)), ("dihedral", bodies::dihedral(90.0))]
@@ -94,7 +94,7 @@ pub(in crate::study::atlas) fn nearer_than_long(_: Extent) -> Result<Vec<CaseRow
         let frame = paths_of(&header)?;
         let exact = sampled(&header, &wall)?;
         let says = printed(&frame.error);
-        let error = looks::relative_error(&[summed(&header, &frame)[0][0]], &[exact]);
+        let error = rcs_solvers::relative_error(&[summed(&header, &frame)[0][0]], &[exact]);
         Ok(trial.answered(format!("{length_m}, {distance_m}"), error, says))
     };
     [(1.0, 0.5), (3.0, 1.0)].into_iter().map(row).collect()

@@ -6,7 +6,7 @@ use crate::study::atlas::traffic::overlapping::empty;
 use crate::study::atlas::verdict::printed;
 use crate::study::bodies;
 use crate::study::extent::Extent;
-use crate::study::looks;
+use crate::study::rcs_solvers;
 use crate::study::scenes::{paths_of, with_body};
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;
@@ -48,10 +48,10 @@ pub(in crate::study::atlas) fn brewster(_: Extent) -> Result<Vec<CaseRow>, Failu
             let says = printed(&frame.error);
             let found: Vec<Complex64> = BAND_HZ
                 .iter()
-                .map(|f| looks::about_first_body(&asked, &frame.paths, *f)[index][index])
+                .map(|f| rcs_solvers::first_body_scattering(&asked, &frame.paths, *f)[index][index])
                 .collect();
             let exact = by_images(&sphere, radar_m, grazing_deg.to_radians(), index)?;
-            let error = looks::relative_error(&found, &exact);
+            let error = rcs_solvers::relative_error(&found, &exact);
             rows.push(trial.answered(format!("{polarization:?}, {grazing_deg}"), error, says));
         }
     }

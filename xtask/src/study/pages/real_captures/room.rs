@@ -12,7 +12,7 @@ use std::process::{Command, Stdio};
 use wayside::host::failure::Failure;
 
 /// The first frame of the cube made by a command of this program.
-pub(super) fn made(words: &[&Path]) -> Result<(CubeHeader, CubeFrame), Failure> {
+pub(super) fn cube_of_command(words: &[&Path]) -> Result<(CubeHeader, CubeFrame), Failure> {
     let place = tempfile::tempdir().map_err(|e| Failure::System(format!("a folder for the cube: {e}")))?;
     let cube = place.path().join("room.cube");
     let this = this_program()?;
@@ -39,19 +39,19 @@ pub(super) struct Echo {
 }
 
 /// This project's results for the frame.
-pub(super) struct Ours {
+pub(super) struct ProcessedFrame {
     pub(super) header: CubeHeader,
     pub(super) map: RdmFrame,
     array: VirtualArray,
-    pub(super) seen: PointsFrame,
+    pub(super) detections: PointsFrame,
 }
 
-impl Ours {
+impl ProcessedFrame {
     /// Map and points of a frame.
     pub(super) fn of((header, frame): &(CubeHeader, CubeFrame)) -> Result<Self, Failure> {
         let receiver = Receiver::new(header).map_err(Failure::refused)?;
-        let (map, seen) = receiver.process(frame).map_err(Failure::refused)?;
-        Ok(Self { header: header.clone(), map, array: VirtualArray::new(header), seen })
+        let (map, detections) = receiver.process(frame).map_err(Failure::refused)?;
+        Ok(Self { header: header.clone(), map, array: VirtualArray::new(header), detections })
     }
 
     /// Row and column of the cell in which an echo is strongest.
@@ -71,7 +71,7 @@ impl Ours {
     }
 
     /// Text of the level of an echo's cell, dBFS, if the samples are a converter's.
-    pub(super) fn level_told(&self, echo: &Echo) -> Result<String, Failure> {
+    pub(super) fn level_text(&self, echo: &Echo) -> Result<String, Failure> {
         match self.header.unit {
             SampleUnit::FullScale(_) => Ok(format!("{:.2}", self.level_dbfs(self.cell(echo))?)),
             SampleUnit::RootWatts | SampleUnit::Steps => Ok("–".into()),
@@ -95,7 +95,7 @@ impl Ours {
             (p.range_m - echo.range_m).abs() < cells[0]
                 && (p.radial_velocity_mps - echo.velocity_mps).abs() < cells[1]
         };
-        self.seen.points.iter().filter(is_near).max_by(|a, b| a.snr_db.total_cmp(&b.snr_db))
+        self.detections.points.iter().filter(is_near).max_by(|a, b| a.snr_db.total_cmp(&b.snr_db))
     }
 
     /// Row of the table of echoes: the point, its cell and its coherence.
@@ -110,7 +110,7 @@ impl Ours {
             told(|p| p.range_m, 3),
             told(|p| p.radial_velocity_mps, 3),
             told(|p| p.azimuth_rad.to_degrees(), 2),
-            self.level_told(echo)?,
+            self.level_text(echo)?,
             told(|p| p.snr_db, 1),
             format!("{:.3}", self.coherence(echo)),
         ])

@@ -4,12 +4,12 @@ use super::bodies::own;
 use crate::study::extent::Extent;
 use crate::study::pages::measures::references::continuity::{self, Named, Slide};
 use crate::study::pages::measures::references::methods::{bart, po, sbr};
-use crate::study::pages::part::Part;
-use crate::study::sources::{Places, SCATTERING};
+use crate::study::pages::page_section::PageSection;
+use crate::study::sources::{SCATTERING, SourcePaths};
 use wayside::host::failure::Failure;
 
 /// Sources that the figures depend on.
-pub(crate) const SOURCES: Places = &[
+pub(crate) const SOURCES: SourcePaths = &[
     SCATTERING,
     &[
         "crates/wayside/tests/bart_against_references/continuity.rs",
@@ -18,7 +18,7 @@ pub(crate) const SOURCES: Places = &[
     ],
 ];
 
-pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
+pub(crate) fn section(extent: Extent) -> Result<PageSection, Failure> {
     let mesh = own("car-suv")?;
     let slide = Slide {
         mesh: &mesh,
@@ -30,7 +30,7 @@ pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
     };
     let methods = methods();
     let methods = if extent == Extent::Quick { &methods[..1] } else { &methods };
-    let mut part = Part::default();
+    let mut part = PageSection::default();
     part.head(&["method", "increment, rad", "floor, dB"]);
     for (name, error_rad, floor_db) in continuity::rows(&slide, methods) {
         let error = if error_rad == 0.0 { "reference".to_owned() } else { format!("{error_rad:.1e}") };

@@ -3,7 +3,7 @@
 use super::bodies::Named;
 use crate::study::pages::measures::references::methods::{decibels, error, request};
 use artifact::scene::{Pose, SceneHeader};
-use bart_rcs::{FrameSurroundings, PathView, Standpoint, Tracer, rcs, scattering_of_paths};
+use bart_rcs::{FrameContext, PathView, Standpoint, Tracer, rcs, scattering_of_paths};
 use glam::{DMat3, DVec3};
 use num_complex::Complex64;
 use rand::{RngExt, SeedableRng};
@@ -48,7 +48,7 @@ pub(crate) fn try_frame(case: u64, meshes: &[Named], empty: &SceneHeader) -> Res
     header.targets[0].start = pose;
     let frame = scene::snapshot(&header, 0);
     let tracer = Tracer::new(&header).map_err(Failure::refused)?;
-    let paths = tracer.all_paths(&header, &frame, &FrameSurroundings::ALONE).map_err(Failure::refused)?;
+    let paths = tracer.all_paths(&header, &frame, &FrameContext::ALONE).map_err(Failure::refused)?;
     let (mut of_paths, mut anew) = (Vec::new(), Vec::new());
     for _ in 0..3 {
         let seconds = rng.random_range(0.0..header.radar.frame_duration_s());

@@ -3,19 +3,20 @@
 use crate::project::shared;
 use crate::study::extent::Extent;
 use crate::study::pages::measures::gates::{CHECKS, Row};
-use crate::study::pages::part::Part;
-use crate::study::sources::{Places, SCATTERING};
+use crate::study::pages::page_section::PageSection;
+use crate::study::sources::{SCATTERING, SourcePaths};
 use wayside::host::failure::Failure;
 
 /// Sources that the figures depend on.
-pub(crate) const SOURCES: Places = &[SCATTERING, &["crates/wayside/tests/reference_gates/gates", file!()]];
+pub(crate) const SOURCES: SourcePaths =
+    &[SCATTERING, &["crates/wayside/tests/reference_gates/gates", file!()]];
 
-pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
+pub(crate) fn section(extent: Extent) -> Result<PageSection, Failure> {
     let folder = shared().join("reference");
     if !folder.is_dir() {
         return Err(Failure::System(format!("{}: the reference data is not here", folder.display())));
     }
-    let mut part = Part::default();
+    let mut part = PageSection::default();
     let checks = if extent == Extent::Quick { &CHECKS[..1] } else { &CHECKS };
     let mut missed = 0;
     for (heading, check) in checks {

@@ -8,8 +8,8 @@ mod road;
 
 use super::bodies::{Named, all_own, real};
 use crate::study::extent::Extent;
-use crate::study::pages::part::Part;
-use crate::study::sources::{Places, SCATTERING};
+use crate::study::pages::page_section::PageSection;
+use crate::study::sources::{SCATTERING, SourcePaths};
 use artifact::settings::Class;
 use levels::{Levels, mean};
 use published::SECTORS;
@@ -17,7 +17,7 @@ use wayside::host::failure::Failure;
 use wayside::host::progress::note;
 
 /// Sources that the figures depend on.
-pub(crate) const SOURCES: Places =
+pub(crate) const SOURCES: SourcePaths =
     &[SCATTERING, &["xtask/src/study/pages/scattering/published_levels", file!()]];
 
 /// Cars of `../shared/vehicles`, by their number of triangles.
@@ -38,8 +38,8 @@ const DETAILED: usize = 20_000;
 const COARSE: usize = 4_000;
 
 /// Table of all vehicles, differences by detail of the mesh, the effect of a road, pictures.
-pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
-    let mut part = Part::default();
+pub(crate) fn section(extent: Extent) -> Result<PageSection, Failure> {
+    let mut part = PageSection::default();
     part.line("Means of dBsm over a sector, at 0° / 10° elevation; less TR 38.901 with σ, dB:\n");
     part.head(&["vehicle", "class", "triangles", "front", "sides", "rear", "less TR, at 0°", "at 10°"]);
     let mut all = Vec::new();
@@ -77,24 +77,24 @@ fn row(levels: &Levels) -> Vec<String> {
     let mut cells = vec![levels.name.clone(), levels.class.name().to_owned(), levels.triangles.to_string()];
     cells.extend(sectors);
     cells.extend([0, 1].map(|at| match levels.class {
-        Class::Car => apart(levels.beside_published(at)),
+        Class::Car => difference_text(levels.difference_from_published(at)),
         _ => "–".to_owned(),
     }));
     cells
 }
 
 /// Text of a difference with its standard deviation, dB.
-fn apart([middle, deviation]: [f64; 2]) -> String {
+fn difference_text([middle, deviation]: [f64; 2]) -> String {
     format!("{middle:+.1} (σ {deviation:.1})").replace('-', "−")
 }
 
 /// Filter of the cars in a row.
-type Kept = fn(&Levels) -> bool;
+type LevelFilter = fn(&Levels) -> bool;
 
 /// Means over own cars, and over real ones by the detail of their meshes.
-fn by_detail(part: &mut Part, all: &[Levels]) {
+fn by_detail(part: &mut PageSection, all: &[Levels]) {
     part.head(&["cars", "number", "less TR 38.901, dB, at 0°", "at 10°"]);
-    let kinds: [(&str, Kept); 4] = [
+    let kinds: [(&str, LevelFilter); 4] = [
         ("own", |levels| levels.is_own()),
         ("real, over 20,000 triangles", |levels| !levels.is_own() && levels.triangles > DETAILED),
         ("real, 4,000 to 20,000", |l| !l.is_own() && (COARSE..=DETAILED).contains(&l.triangles)),
@@ -107,8 +107,11 @@ fn by_detail(part: &mut Part, all: &[Levels]) {
             continue;
         }
         let told = [0, 1].map(|elevation: usize| {
-            let of_cars: Vec<[f64; 2]> = cars.iter().map(|car| car.beside_published(elevation)).collect();
-            apart([0, 1].map(|at: usize| mean(&of_cars.iter().map(|told| told[at]).collect::<Vec<_>>())))
+            let of_cars: Vec<[f64; 2]> =
+                cars.iter().map(|car| car.difference_from_published(elevation)).collect();
+            difference_text(
+                [0, 1].map(|at: usize| mean(&of_cars.iter().map(|told| told[at]).collect::<Vec<_>>())),
+            )
         });
         part.row(&[&[name.to_owned(), cars.len().to_string()], &told[..]].concat());
     }

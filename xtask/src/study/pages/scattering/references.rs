@@ -3,15 +3,15 @@
 use super::bodies::{own, real};
 use crate::study::extent::Extent;
 use crate::study::pages::measures::references::methods::{Run, bart, decibels, error, po, sbr};
-use crate::study::pages::part::Part;
-use crate::study::sources::{Places, SCATTERING};
+use crate::study::pages::page_section::PageSection;
+use crate::study::sources::{SCATTERING, SourcePaths};
 use artifact::scene::Mesh;
 use bart_rcs::Standpoint;
 use num_complex::Complex64;
 use wayside::host::failure::Failure;
 
 /// Sources that the figures depend on.
-pub(crate) const SOURCES: Places =
+pub(crate) const SOURCES: SourcePaths =
     &[SCATTERING, &["crates/wayside/tests/bart_against_references/methods.rs", file!()]];
 
 fn standpoint(az_deg: f64, el_deg: f64) -> Standpoint {
@@ -19,10 +19,10 @@ fn standpoint(az_deg: f64, el_deg: f64) -> Standpoint {
 }
 
 /// The project's SUV.
-pub(crate) fn own_car(extent: Extent) -> Result<Part, Failure> {
+pub(crate) fn own_car(extent: Extent) -> Result<PageSection, Failure> {
     let (mesh, place, frequencies_hz) = (own("car-suv")?, standpoint(25.0, 10.0), [77.3125e9, 77.9375e9]);
     let exact = bart(&mesh, place, &frequencies_hz, 3, -60.0);
-    let mut part = Part::default();
+    let mut part = PageSection::default();
     part.head(&["method", "seconds", "order 1", "order 2", "order 3"]);
     let mut row = |run: &Run| {
         let errors = [0, 1, 2].map(|order| order_error(run, &exact, order));
@@ -39,12 +39,12 @@ pub(crate) fn own_car(extent: Extent) -> Result<Part, Failure> {
 }
 
 /// The car `gazebo_prius`, with large flat facets.
-pub(crate) fn real_car(extent: Extent) -> Result<Part, Failure> {
+pub(crate) fn real_car(extent: Extent) -> Result<PageSection, Failure> {
     at_four_aspects(&real("gazebo_prius")?, extent)
 }
 
 /// The car `modern_hatchback`, with five times as many facets.
-pub(crate) fn second_real_car(extent: Extent) -> Result<Part, Failure> {
+pub(crate) fn second_real_car(extent: Extent) -> Result<PageSection, Failure> {
     at_four_aspects(&real("modern_hatchback")?, extent)
 }
 
@@ -52,8 +52,8 @@ pub(crate) fn second_real_car(extent: Extent) -> Result<Part, Failure> {
 type Densities = (&'static [(f64, u32)], &'static [f64]);
 
 /// Both references with increasing density, against BART, and rays against rays.
-fn at_four_aspects(mesh: &Mesh, extent: Extent) -> Result<Part, Failure> {
-    let mut part = Part::default();
+fn at_four_aspects(mesh: &Mesh, extent: Extent) -> Result<PageSection, Failure> {
+    let mut part = PageSection::default();
     let columns = ["azimuth", "method", "processor seconds", "order 1", "order 2", "order 3"];
     part.head(&[columns.as_slice(), &["orders 2 and 3"]].concat());
     let (azimuths_deg, densities): (&[f64], Densities) = match extent {
@@ -66,13 +66,13 @@ fn at_four_aspects(mesh: &Mesh, extent: Extent) -> Result<Part, Failure> {
     Ok(part)
 }
 
-fn at_aspect(part: &mut Part, mesh: &Mesh, az_deg: f64, (cells, rays): Densities) {
+fn at_aspect(part: &mut PageSection, mesh: &Mesh, az_deg: f64, (cells, rays): Densities) {
     let (place, frequencies_hz) = (standpoint(az_deg, 8.0), [76.5e9, 76.83e9, 77.17e9, 77.5e9]);
     let exact = bart(mesh, place, &frequencies_hz, 3, -60.0);
     let mut row = |method: &str, seconds: &str, errors: &[String]| {
         part.line(format!("| {az_deg}° | {method} | {seconds} | {} |", errors.join(" | ")));
     };
-    let level = |order: &Vec<Complex64>| told(size(order) / size(&exact.orders[0]));
+    let level = |order: &Vec<Complex64>| ratio_text(size(order) / size(&exact.orders[0]));
     let levels: Vec<String> = exact.orders.iter().map(level).chain([String::new()]).collect();
     row("(level over order 1)", "", &levels);
     let seconds = |run: &Run| format!("{:.1}", run.seconds);
@@ -98,7 +98,7 @@ fn size(s: &[Complex64]) -> f64 {
 }
 
 /// Text of a ratio in dB; "nothing" if it is not positive and finite.
-fn told(ratio: f64) -> String {
+fn ratio_text(ratio: f64) -> String {
     if ratio > 0.0 && ratio.is_finite() {
         format!("{:.1} dB", decibels(ratio)).replace('-', "−")
     } else {
@@ -107,14 +107,14 @@ fn told(ratio: f64) -> String {
 }
 
 fn order_error(run: &Run, reference: &Run, order: usize) -> String {
-    run.orders.get(order).map_or("–".to_owned(), |s| told(error(s, &reference.orders[order])))
+    run.orders.get(order).map_or("–".to_owned(), |s| ratio_text(error(s, &reference.orders[order])))
 }
 
 /// Errors of orders 1, 2 and 3 separately, and of orders 2 and 3 together.
 fn all_errors(run: &Run, reference: &Run) -> [String; 4] {
     let both = |run: &Run| run.orders[1].iter().zip(&run.orders[2]).map(|(a, b)| a + b).collect::<Vec<_>>();
     let together =
-        if run.orders.len() < 3 { "–".to_owned() } else { told(error(&both(run), &both(reference))) };
+        if run.orders.len() < 3 { "–".to_owned() } else { ratio_text(error(&both(run), &both(reference))) };
     let [first, second, third] = [0, 1, 2].map(|order| order_error(run, reference, order));
     [first, second, third, together]
 }

@@ -6,7 +6,7 @@ use crate::study::pages::measures::references::methods::decibels;
 use artifact::Radar;
 use artifact::material::{Material, Road};
 use artifact::scene::{Pose, SceneHeader};
-use bart_rcs::{FrameSurroundings, Tracer};
+use bart_rcs::{FrameContext, Tracer};
 use glam::DVec3;
 use num_complex::Complex64;
 use rand::{RngExt, SeedableRng};
@@ -55,7 +55,7 @@ pub(crate) fn try_road(case: u64, meshes: &[Named], empty: &SceneHeader) -> Resu
     let (road, [real, loss]) = ROADS[rng.random_range(0..ROADS.len())];
     let frame = scene::snapshot(&header, 0);
     let tracer = Tracer::new(&header).map_err(Failure::refused)?;
-    let surroundings = &FrameSurroundings::ALONE;
+    let surroundings = &FrameContext::ALONE;
     let without = tracer.all_paths(&header, &frame, surroundings).map_err(Failure::refused)?;
     let material = Material::HalfSpace { permittivity: Complex64::new(real, -loss) };
     header.road = Some(Road { material, rms_height_m: rng.random_range(2e-4..1e-3) });

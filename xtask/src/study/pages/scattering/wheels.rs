@@ -2,8 +2,8 @@
 
 use crate::project::{project_root, shared};
 use crate::study::extent::Extent;
-use crate::study::pages::part::Part;
-use crate::study::sources::{CHAIN, Places};
+use crate::study::pages::page_section::PageSection;
+use crate::study::sources::{CHAIN, SourcePaths};
 use artifact::paths::PathsFrame;
 use artifact::rdm::RdmFrame;
 use artifact::scene::{MeshStatistics, SceneHeader};
@@ -11,7 +11,7 @@ use ndarray::Array2;
 use plotting::heat_map::HeatMap;
 use plotting::marks::Legend;
 use std::path::{Path, PathBuf};
-use wayside::host::call_off::CallOff;
+use wayside::host::cancellation::Cancellation;
 use wayside::host::failure::Failure;
 use wayside::host::progress::note;
 use wayside::host::{files, processor_time};
@@ -19,7 +19,7 @@ use wayside::stepwise::{OpenedScene, Processing, echoes_of_paths, paths};
 use wayside::{Allowance, SceneSource};
 
 /// Sources that the figures depend on.
-pub(crate) const SOURCES: Places = &[CHAIN, &[file!()]];
+pub(crate) const SOURCES: SourcePaths = &[CHAIN, &[file!()]];
 
 /// Views of a vehicle: height of the radar above the road, place of the vehicle, and its velocity.
 const VIEWS: [(&str, f64, [f64; 2], [f64; 2]); 4] = [
@@ -38,8 +38,8 @@ const REAL: [&str; 2] = ["gazebo_prius", "generic_sedan"];
 const BESIDE_MPS: f64 = 0.5;
 
 /// Table of vehicles and views, and a picture of one.
-pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
-    let mut part = Part::default();
+pub(crate) fn section(extent: Extent) -> Result<PageSection, Failure> {
+    let mut part = PageSection::default();
     part.head(&[
         "vehicle",
         "wheels",
@@ -54,8 +54,9 @@ pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
     ]);
     let folder = tempfile::tempdir().map_err(|error| Failure::System(format!("no folder: {error}")))?;
     for (name, model) in models(extent) {
-        for view in VIEWS.iter().take(extent.of(VIEWS.len() as u64) as usize) {
-            let both = ["still", "turning"].map(|wheels| Seen::of(folder.path(), &model, view, wheels));
+        for view in VIEWS.iter().take(extent.case_count(VIEWS.len() as u64) as usize) {
+            let both =
+                ["still", "turning"].map(|wheels| VehicleMap::simulate(folder.path(), &model, view, wheels));
             let [still, turning] = both;
             let (still, turning) = (still?, turning?);
             part.row(&row(&name, view.0, &still, &turning));
@@ -86,7 +87,7 @@ fn models(extent: Extent) -> Vec<(String, String)> {
 }
 
 /// Results of a scene with one vehicle.
-struct Seen {
+struct VehicleMap {
     header: SceneHeader,
     paths: PathsFrame,
     ranges_m: Vec<f64>,
@@ -96,8 +97,8 @@ struct Seen {
     processor_s: f64,
 }
 
-impl Seen {
-    fn of(
+impl VehicleMap {
+    fn simulate(
         folder: &Path,
         model: &str,
         (_, height_m, [x_m, y_m], [vx, vy]): &(&str, f64, [f64; 2], [f64; 2]),
@@ -112,7 +113,7 @@ impl Seen {
         files::write_file(&file, text.as_bytes())?;
         let before_s = processor_time::of_process().unwrap_or(0.0);
         let scene = OpenedScene::of(&SceneSource { file, ..SceneSource::default() }, Allowance::of(None))?;
-        let never = CallOff::default();
+        let never = Cancellation::default();
         let paths = paths(&scene, &never)?;
         let cubes = echoes_of_paths(&scene, &paths, &never)?;
         let processor_s = processor_time::of_process().unwrap_or(0.0) - before_s;
@@ -125,7 +126,7 @@ impl Seen {
     }
 
     /// Least and greatest radial velocity of the rigid body's corners, extended by two cells to either side.
-    fn of_body_mps(&self) -> [f64; 2] {
+    fn rigid_body_velocities_mps(&self) -> [f64; 2] {
         let (target, mesh) = (&self.header.targets[0], &self.header.meshes[0]);
         let pose = &target.start;
         let (sin, cos) = pose.yaw_rad.sin_cos();
@@ -145,8 +146,8 @@ impl Seen {
     }
 
     /// Power of cells beyond the rigid body's velocities relative to all power, dB.
-    fn beside_db(&self) -> f64 {
-        let [low, high] = self.of_body_mps();
+    fn off_body_power_db(&self) -> f64 {
+        let [low, high] = self.rigid_body_velocities_mps();
         let row_power = |row: usize| self.power.row(row).sum();
         let rows = 0..self.velocities_mps.len();
         let beside: f64 = rows
@@ -158,7 +159,7 @@ impl Seen {
     }
 
     /// Least and greatest velocity of cells within 40 dB of the brightest.
-    fn widest_mps(&self) -> [f64; 2] {
+    fn velocity_extent_mps(&self) -> [f64; 2] {
         let brightest = self.power.iter().copied().fold(0.0, f64::max);
         let is_bright = |row: &usize| self.power.row(*row).iter().any(|power| *power > 1e-4 * brightest);
         let bright = (0..self.velocities_mps.len()).filter(is_bright).map(|row| self.velocities_mps[row]);
@@ -184,20 +185,22 @@ fn power(map: &RdmFrame, [rows, columns]: [usize; 2]) -> Array2<f64> {
     power
 }
 
-fn row(name: &str, view: &str, still: &Seen, turning: &Seen) -> Vec<String> {
+fn row(name: &str, view: &str, still: &VehicleMap, turning: &VehicleMap) -> Vec<String> {
     let wheels = &turning.header.meshes[0].wheels;
     let MeshStatistics { triangles_read, .. } = turning.header.meshes[0].statistics;
     let turned: usize = wheels.iter().map(|wheel| wheel.triangles.len()).sum();
-    let both = |of: &dyn Fn(&Seen) -> String| format!("{} / {}", of(still), of(turning)).replace('-', "−");
-    let moments = |seen: &Seen| seen.paths.trace.fineness.as_ref().map_or(1, |fineness| fineness.moments);
+    let both =
+        |of: &dyn Fn(&VehicleMap) -> String| format!("{} / {}", of(still), of(turning)).replace('-', "−");
+    let moments =
+        |seen: &VehicleMap| seen.paths.trace.fineness.as_ref().map_or(1, |fineness| fineness.moments);
     vec![
         name.to_owned(),
         wheels.len().to_string(),
         format!("{turned} of {triangles_read}"),
         view.to_owned(),
-        both(&|seen| format!("{:.1}", seen.beside_db())),
+        both(&|seen| format!("{:.1}", seen.off_body_power_db())),
         both(&|seen| {
-            let [low, high] = seen.widest_mps();
+            let [low, high] = seen.velocity_extent_mps();
             format!("{low:.1} … {high:.1}")
         }),
         both(&|seen| format!("{:.1}", seen.error_db())),
@@ -208,7 +211,7 @@ fn row(name: &str, view: &str, still: &Seen, turning: &Seen) -> Vec<String> {
 }
 
 /// Draws the part of a map around the vehicle.
-fn draw(file: &str, title: &str, seen: &Seen) -> Result<(), Failure> {
+fn draw(file: &str, title: &str, seen: &VehicleMap) -> Result<(), Failure> {
     const SPAN_M: [f64; 2] = [16.0, 24.0];
     const SPAN_DB: f64 = 50.0;
     let columns: Vec<usize> =
@@ -229,9 +232,9 @@ fn draw(file: &str, title: &str, seen: &Seen) -> Result<(), Failure> {
         levels_db,
         span_db: SPAN_DB,
         unit: "dBW".into(),
-        over: None,
+        overlay: None,
         legend: Legend::default(),
     };
     let sheet = map.draw_square().map_err(Failure::refused)?;
-    files::write_file(&project_root().join("docs/pictures").join(file), sheet.text().as_bytes())
+    files::write_file(&project_root().join("docs/pictures").join(file), sheet.standalone().as_bytes())
 }

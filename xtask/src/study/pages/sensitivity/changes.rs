@@ -1,6 +1,6 @@
 //! Changes between two results: bodies lost and gained, and differences of the values of those in both.
 
-use crate::study::pages::sensitivity::answers::{Said, Told};
+use crate::study::pages::sensitivity::run_results::{BodyEstimate, EstimatesByBody};
 
 /// Changes between two results.
 #[derive(Debug, Default, PartialEq)]
@@ -23,7 +23,7 @@ pub(super) struct Changes {
 }
 
 impl Changes {
-    pub(super) fn between(first: &Told, second: &Told) -> Self {
+    pub(super) fn between(first: &EstimatesByBody, second: &EstimatesByBody) -> Self {
         let mut changes = Self { there: first.len(), ..Self::default() };
         changes.gained = second.keys().filter(|key| !first.contains_key(*key)).count();
         for (key, before) in first {
@@ -35,13 +35,13 @@ impl Changes {
         changes
     }
 
-    fn add(&mut self, before: &Said, after: &Said) {
+    fn add(&mut self, before: &BodyEstimate, after: &BodyEstimate) {
         self.range_m.push(after.range_m - before.range_m);
         self.velocity_mps.push(after.velocity_mps - before.velocity_mps);
-        self.azimuth_deg.push(turned_deg(before.azimuth_deg, after.azimuth_deg));
-        self.lanes = counted(self.lanes, usize::from(before.lane != after.lane));
+        self.azimuth_deg.push(angle_difference_deg(before.azimuth_deg, after.azimuth_deg));
+        self.lanes = add_to_ratio(self.lanes, usize::from(before.lane != after.lane));
         if before.class.is_some() && after.class.is_some() {
-            self.classes = counted(self.classes, usize::from(before.class != after.class));
+            self.classes = add_to_ratio(self.classes, usize::from(before.class != after.class));
         }
         self.probability.extend(before.probability.zip(after.probability).map(|(a, b)| b - a));
     }
@@ -63,12 +63,12 @@ impl Changes {
     }
 }
 
-fn counted((found, of): (usize, usize), more: usize) -> (usize, usize) {
+fn add_to_ratio((found, of): (usize, usize), more: usize) -> (usize, usize) {
     (found + more, of + 1)
 }
 
 /// Angle from one azimuth to another, by the shorter way.
-fn turned_deg(before: f64, after: f64) -> f64 {
+fn angle_difference_deg(before: f64, after: f64) -> f64 {
     (after - before + 180.0).rem_euclid(360.0) - 180.0
 }
 
@@ -84,7 +84,7 @@ mod tests {
     use artifact::settings::Class;
     use wayside::outcome::summary::Predicted;
 
-    const CAR: Said = Said {
+    const CAR: BodyEstimate = BodyEstimate {
         range_m: 40.0,
         velocity_mps: -10.0,
         azimuth_deg: 179.5,
@@ -93,14 +93,14 @@ mod tests {
         probability: Some(0.9),
     };
 
-    fn told(bodies: &[(&str, Said)]) -> Told {
+    fn told(bodies: &[(&str, BodyEstimate)]) -> EstimatesByBody {
         bodies.iter().map(|(id, said)| ((0, 0, (*id).to_owned()), *said)).collect()
     }
 
     #[test]
     fn bodies_in_one_answer_alone_are_lost_or_gained_and_those_in_both_compared() {
         let first = told(&[("a", CAR), ("b", CAR)]);
-        let other = Said {
+        let other = BodyEstimate {
             range_m: 40.5,
             azimuth_deg: -179.5,
             lane: None,

@@ -21,7 +21,7 @@ pub(super) struct Measures {
 }
 
 /// Whether a result with these changes is as good as the reference.
-pub(super) fn hold(goal: Goal, changes: &Changes, measures: &Measures) -> bool {
+pub(super) fn result_holds(goal: Goal, changes: &Changes, measures: &Measures) -> bool {
     let few = |of: fn(&Changes) -> (usize, usize)| few(of(changes), of(&measures.noise));
     let small = |of: fn(&Changes) -> &[f64]| small([changes, &measures.errors, &measures.noise].map(of));
     let there = few(|changes| (changes.lost + changes.gained, changes.there));
@@ -46,7 +46,7 @@ pub(super) fn coarsest(tried_db: &[f64], holds: impl Fn(usize) -> Option<bool>) 
 
 /// Accuracy that a result is to ask for: the one that was measured for it, and for tracks no coarser than the
 /// one of the objects that they are formed of. `None` where no tried accuracy suffices.
-pub(super) fn to_ask(goal: Goal, measured_db: impl Fn(Goal) -> Option<f64>) -> Option<f64> {
+pub(super) fn accuracy_to_request(goal: Goal, measured_db: impl Fn(Goal) -> Option<f64>) -> Option<f64> {
     let own_db = measured_db(goal)?;
     match goal {
         Goal::Tracks => Some(own_db.min(measured_db(Goal::Detection)?)),
@@ -84,24 +84,29 @@ mod tests {
     #[test]
     fn a_result_holds_while_it_moves_by_less_than_a_third_of_its_error() {
         let quiet = measures(moved(0.0));
-        assert!(hold(Goal::Detection, &moved(0.0999), &quiet));
-        assert!(!hold(Goal::Detection, &moved(0.1001), &quiet));
-        assert!(hold(Goal::Class, &moved(0.1001), &quiet), "a class has no range");
+        assert!(result_holds(Goal::Detection, &moved(0.0999), &quiet));
+        assert!(!result_holds(Goal::Detection, &moved(0.1001), &quiet));
+        assert!(result_holds(Goal::Class, &moved(0.1001), &quiet), "a class has no range");
         let two_lost = Changes { lost: 1, gained: 1, ..moved(0.0) };
         let three_lost = Changes { lost: 2, gained: 1, ..moved(0.0) };
-        assert!(hold(Goal::Class, &two_lost, &quiet) && !hold(Goal::Class, &three_lost, &quiet));
+        assert!(
+            result_holds(Goal::Class, &two_lost, &quiet) && !result_holds(Goal::Class, &three_lost, &quiet)
+        );
         let other_class = Changes { classes: (3, 100), ..moved(0.0) };
-        assert!(hold(Goal::Tracks, &other_class, &quiet) && !hold(Goal::Class, &other_class, &quiet));
+        assert!(
+            result_holds(Goal::Tracks, &other_class, &quiet)
+                && !result_holds(Goal::Class, &other_class, &quiet)
+        );
     }
 
     #[test]
     fn what_other_noise_changes_as_well_is_no_loss() {
-        assert!(hold(Goal::Detection, &moved(0.19), &measures(moved(-0.2))));
-        assert!(!hold(Goal::Detection, &moved(0.21), &measures(moved(-0.2))));
+        assert!(result_holds(Goal::Detection, &moved(0.19), &measures(moved(-0.2))));
+        assert!(!result_holds(Goal::Detection, &moved(0.21), &measures(moved(-0.2))));
         let told = |other| Changes { classes: (other, 100), ..moved(0.0) };
         // Nine of a hundred by noise, counted to three more or less.
-        assert!(hold(Goal::Class, &told(12), &measures(told(9))));
-        assert!(!hold(Goal::Class, &told(13), &measures(told(9))));
+        assert!(result_holds(Goal::Class, &told(12), &measures(told(9))));
+        assert!(!result_holds(Goal::Class, &told(13), &measures(told(9))));
     }
 
     #[test]
@@ -129,10 +134,10 @@ mod tests {
         let measured = |of_objects, of_tracks| {
             move |goal| if goal == Goal::Tracks { Some(of_tracks) } else { Some(of_objects) }
         };
-        assert_eq!(to_ask(Goal::Tracks, measured(-20.0, -15.0)), Some(-20.0));
-        assert_eq!(to_ask(Goal::Tracks, measured(-15.0, -20.0)), Some(-20.0));
-        assert_eq!(to_ask(Goal::Detection, measured(-15.0, -20.0)), Some(-15.0));
-        assert_eq!(to_ask(Goal::Tracks, |goal| (goal == Goal::Tracks).then_some(-15.0)), None);
+        assert_eq!(accuracy_to_request(Goal::Tracks, measured(-20.0, -15.0)), Some(-20.0));
+        assert_eq!(accuracy_to_request(Goal::Tracks, measured(-15.0, -20.0)), Some(-20.0));
+        assert_eq!(accuracy_to_request(Goal::Detection, measured(-15.0, -20.0)), Some(-15.0));
+        assert_eq!(accuracy_to_request(Goal::Tracks, |goal| (goal == Goal::Tracks).then_some(-15.0)), None);
     }
 
     #[test]
@@ -142,7 +147,7 @@ mod tests {
             let asked_db = Some(goal.accuracy().db());
             assert_eq!(levels_db(&page, goal)[0], asked_db, "{goal:?}");
             if goal != Goal::Cube {
-                assert_eq!(to_ask(goal, |goal| levels_db(&page, goal)[1]), asked_db, "{goal:?}");
+                assert_eq!(accuracy_to_request(goal, |goal| levels_db(&page, goal)[1]), asked_db, "{goal:?}");
             }
         }
         let of_cube = "| \"cube\" | −20 dB | an agreement: 10 % of the amplitude |";

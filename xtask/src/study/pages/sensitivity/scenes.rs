@@ -17,10 +17,10 @@ pub(super) struct Case {
 }
 
 /// A vehicle on the approach: class, model, lane, distance along y in metres, speed in m/s.
-type Drawn = (&'static str, &'static str, u8, f64, f64);
+type DrawnVehicle = (&'static str, &'static str, u8, f64, f64);
 
 /// Two vehicles of each class, drawn once from the ranges of the recipe.
-const DRAWN: [Drawn; 8] = [
+const DRAWN: [DrawnVehicle; 8] = [
     ("car", "car-suv", 3, 33.94, 3.91),
     ("bus", "bus-city", 3, 57.99, 7.53),
     ("truck", "truck-box", 3, 26.02, 4.92),
@@ -53,7 +53,7 @@ pub(super) fn cases(extent: Extent) -> Result<Vec<Case>, Failure> {
 }
 
 /// A single vehicle before the radar of the crossing.
-fn alone(number: usize, (class, model, lane, y_m, speed_mps): &Drawn) -> Case {
+fn alone(number: usize, (class, model, lane, y_m, speed_mps): &DrawnVehicle) -> Case {
     let text = format!(
         "name = \"draw{number:02}\"\nseed = {number}\n[noise]\nnoise_figure_db = 12.0\n[[target]]\nkind = \"mesh\"\n\
          id = \"v\"\nclass = \"{class}\"\nmodel = \"{model}\"\nlane = {lane}\ny_m = {y_m}\n\
@@ -75,7 +75,7 @@ fn of_file(
 
 impl Case {
     /// The scene file with a requested accuracy.
-    pub(super) fn asked(&self, accuracy_db: f64) -> String {
+    pub(super) fn scene_at(&self, accuracy_db: f64) -> String {
         with_key(&self.text, "fidelity", "accuracy_db", format!("{accuracy_db:.1}"))
     }
 }
@@ -88,7 +88,7 @@ mod tests {
     #[test]
     fn every_scene_is_read_with_the_accuracy_asked_for_and_no_other() {
         for case in cases(Extent::Full).unwrap() {
-            let text = case.asked(-37.0);
+            let text = case.scene_at(-37.0);
             assert_eq!(text.matches("accuracy_db").count(), 1, "{text}");
             if case.name.starts_with("draw") || case.name == "tracking" {
                 let named = text.replace("name = ", "# ");

@@ -3,25 +3,25 @@
 use crate::study::extent::Extent;
 use crate::study::pages::measures::signals::bound_trials::{over_bound_db, pairs_refined, radar};
 use crate::study::pages::measures::signals::common::{elements_3x4, elements_6x8, elements_12x16};
-use crate::study::pages::part::Part;
-use crate::study::sources::{Places, SIGNALS};
+use crate::study::pages::page_section::PageSection;
+use crate::study::sources::{SIGNALS, SourcePaths};
 use artifact::settings::Refine;
 use wayside::host::failure::Failure;
 
 /// Sources that the figures depend on.
-pub(crate) const SOURCES: Places = &[SIGNALS, &["crates/dsp/tests/estimation/bound_trials.rs", file!()]];
+pub(crate) const SOURCES: SourcePaths = &[SIGNALS, &["crates/dsp/tests/estimation/bound_trials.rs", file!()]];
 
 /// Number of trials, for a standard error of 0.15 dB: 4.34·√(2/n).
 const TRIALS: u64 = 1600;
 
-pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
-    let mut part = Part::default();
+pub(crate) fn section(extent: Extent) -> Result<PageSection, Failure> {
+    let mut part = PageSection::default();
     lone_points(&mut part, extent);
     pairs(&mut part, extent);
     Ok(part)
 }
 
-fn lone_points(part: &mut Part, extent: Extent) {
+fn lone_points(part: &mut PageSection, extent: Extent) {
     part.line("## A lone point\n");
     part.head(&["array", "dB per cell", "estimates", "found", "range", "velocity", "right", "up"]);
     for (name, elements, [samples, chirps], trials) in [
@@ -34,7 +34,7 @@ fn lone_points(part: &mut Part, extent: Extent) {
             (header.radar.waveform.samples, header.radar.waveform.chirps) = (samples, chirps);
             header.dsp.training_cells = [4, 6];
             for snr_db in levels_db(refine) {
-                let (got_db, found) = over_bound_db(&header, *snr_db, extent.of(trials));
+                let (got_db, found) = over_bound_db(&header, *snr_db, extent.case_count(trials));
                 let words = if refine == Refine::Off { "peaks" } else { "refined" };
                 row(part, &format!("{name} | {snr_db:.0} | {words}"), got_db, found);
             }
@@ -63,14 +63,14 @@ fn distances() -> Vec<(&'static str, Vec<[f64; 3]>)> {
     ]
 }
 
-fn pairs(part: &mut Part, extent: Extent) {
+fn pairs(part: &mut PageSection, extent: Extent) {
     part.line("\n## A second point beside it, of equal strength\n");
     let columns = ["apart in", "range cells", "velocity cells", "beams", "refined", "found"];
     part.head(&[columns.as_slice(), &["range", "velocity", "right", "up"]].concat());
     let header = radar(elements_3x4(), Refine::Isolated);
     for (what, places) in distances() {
         for apart in places {
-            let pairs = pairs_refined(&header, 25.0, extent.of(TRIALS / 4), apart);
+            let pairs = pairs_refined(&header, 25.0, extent.case_count(TRIALS / 4), apart);
             let [cells, rows, beams] = apart;
             let line = format!("{what} | {cells} | {rows} | {beams} | {:.1} %", 100.0 * pairs.refined);
             row(part, &line, pairs.over_bound_db, pairs.found);
@@ -78,7 +78,7 @@ fn pairs(part: &mut Part, extent: Extent) {
     }
 }
 
-fn row(part: &mut Part, head: &str, got_db: [f64; 4], found: f64) {
+fn row(part: &mut PageSection, head: &str, got_db: [f64; 4], found: f64) {
     let cell = |db: f64| if db.is_finite() { format!("{db:+.2}") } else { "–".to_owned() };
     part.line(format!("| {head} | {:.1} % | {} |", 100.0 * found, got_db.map(cell).join(" | ")));
 }

@@ -5,15 +5,15 @@ use crate::study::extent::Extent;
 use crate::study::pages::measures::signals::alarm_rates::{
     self, DETECTORS, Zones, counted, counted_in_bands, weighed,
 };
-use crate::study::pages::part::Part;
-use crate::study::sources::{Places, SIGNALS};
+use crate::study::pages::page_section::PageSection;
+use crate::study::sources::{SIGNALS, SourcePaths};
 use artifact::cube::CubeHeader;
 use artifact::radar::Sampling;
 use artifact::settings::{Detector, Window};
 use wayside::host::failure::Failure;
 
 /// Sources that the figures depend on.
-pub(crate) const SOURCES: Places = &[SIGNALS, &["crates/dsp/tests/detection/alarm_rates.rs", file!()]];
+pub(crate) const SOURCES: SourcePaths = &[SIGNALS, &["crates/dsp/tests/detection/alarm_rates.rs", file!()]];
 
 /// Window, channels, maps for counting at 1e-2, 1e-3 and 1e-4, and maps for weighting.
 type Setting = (Window, u32, [u64; 3], u64);
@@ -39,12 +39,12 @@ const REAL: [Setting; 5] = [
 ];
 
 /// False alarms of complex samples.
-pub(crate) fn of_complex_samples(extent: Extent) -> Result<Part, Failure> {
+pub(crate) fn of_complex_samples(extent: Extent) -> Result<PageSection, Failure> {
     Ok(table_of(Sampling::Complex, &COMPLEX, extent))
 }
 
 /// False alarms of real samples.
-pub(crate) fn of_real_samples(extent: Extent) -> Result<Part, Failure> {
+pub(crate) fn of_real_samples(extent: Extent) -> Result<PageSection, Failure> {
     Ok(table_of(Sampling::Real, &REAL, extent))
 }
 
@@ -54,8 +54,8 @@ const BANDS: [(u32, u32); 6] = [(3, 64), (3, 16), (6, 32), (6, 16), (12, 64), (1
 const ROWS: u64 = 200_000;
 
 /// False alarms with Doppler division.
-pub(crate) fn of_narrow_bands(extent: Extent) -> Result<Part, Failure> {
-    let mut part = Part::default();
+pub(crate) fn of_narrow_bands(extent: Extent) -> Result<PageSection, Failure> {
+    let mut part = PageSection::default();
     part.head(&["transmitters", "chirps", "asked", "ca-cfar", "go-cfar", "so-cfar", "os-cfar"]);
     for (transmitters, chirps) in BANDS {
         let header = alarm_rates::header_of_bands(transmitters, chirps);
@@ -63,7 +63,7 @@ pub(crate) fn of_narrow_bands(extent: Extent) -> Result<Part, Failure> {
             let show = |(alarms, cells): (u64, u64)| {
                 format!("{:.3} ({alarms})", alarms as f64 / (cells as f64 * rate))
             };
-            let found = counted_in_bands(&header, rate, extent.of(ROWS)).into_iter().map(show);
+            let found = counted_in_bands(&header, rate, extent.case_count(ROWS)).into_iter().map(show);
             let found = found.collect::<Vec<_>>().join(" | ");
             part.line(format!("| {transmitters} | {chirps} | {rate:e} | {found} |"));
         }
@@ -71,8 +71,8 @@ pub(crate) fn of_narrow_bands(extent: Extent) -> Result<Part, Failure> {
     Ok(part)
 }
 
-fn table_of(sampling: Sampling, settings: &[Setting], extent: Extent) -> Part {
-    let mut part = Part::default();
+fn table_of(sampling: Sampling, settings: &[Setting], extent: Extent) -> PageSection {
+    let mut part = PageSection::default();
     let columns = ["detector", "window", "channels", "asked", "how"];
     for (index, (window, channels, counted_maps, weighed_maps)) in settings.iter().enumerate() {
         let header = alarm_rates::noise_header(sampling, *window, *channels);
@@ -83,8 +83,12 @@ fn table_of(sampling: Sampling, settings: &[Setting], extent: Extent) -> Part {
             let setting = format!("{name} | {window:?} | {channels} | {rate:e} | {how}");
             part.line(format!("| {setting} | {} |", shown.join(" | ")));
         };
-        by_counting(&header, counted_maps.map(|maps| if maps > 0 { extent.of(maps) } else { 0 }), &mut add);
-        by_weighing(&header, extent.of(*weighed_maps), &mut add);
+        by_counting(
+            &header,
+            counted_maps.map(|maps| if maps > 0 { extent.case_count(maps) } else { 0 }),
+            &mut add,
+        );
+        by_weighing(&header, extent.case_count(*weighed_maps), &mut add);
     }
     part
 }

@@ -2,22 +2,22 @@
 
 use crate::project::project_root;
 use crate::study::extent::Extent;
-use crate::study::pages::part::Part;
-use crate::study::sources::{Places, SIGNALS};
+use crate::study::pages::page_section::PageSection;
+use crate::study::sources::{SIGNALS, SourcePaths};
 use std::process::Command;
 use wayside::host::failure::Failure;
 
 /// Sources that the figures depend on.
-pub(crate) const SOURCES: Places =
+pub(crate) const SOURCES: SourcePaths =
     &[SIGNALS, &["crates/dsp/examples/rivals", "crates/dsp/examples/rivals/rivals.py", file!()]];
 
 /// Seconds of each program, and what is skipped where Python or a package of it is not there.
-pub(crate) fn part(_: Extent) -> Result<Part, Failure> {
+pub(crate) fn section(_: Extent) -> Result<PageSection, Failure> {
     Ok(part_of(&printed(&[])?))
 }
 
 /// False alarms of two programs.
-pub(crate) fn alarms(_: Extent) -> Result<Part, Failure> {
+pub(crate) fn alarms(_: Extent) -> Result<PageSection, Failure> {
     Ok(part_of(&printed(&["alarms"])?))
 }
 
@@ -37,8 +37,8 @@ fn printed(words: &[&str]) -> Result<String, Failure> {
 }
 
 /// The table, and behind it once what was skipped.
-fn part_of(printed: &str) -> Part {
-    let mut part = Part::default();
+fn part_of(printed: &str) -> PageSection {
+    let mut part = PageSection::default();
     printed.lines().filter(|line| line.starts_with('|')).for_each(|line| part.line(line));
     let mut skipped: Vec<&str> = printed.lines().filter_map(|line| line.strip_prefix("skipped: ")).collect();
     skipped.sort_unstable();

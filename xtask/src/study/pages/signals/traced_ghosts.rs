@@ -3,15 +3,15 @@
 use crate::project::this_program;
 use crate::study::extent::Extent;
 use crate::study::pages::measures::signals::ghost_streets::{Counts, SCENE, counts};
-use crate::study::pages::part::Part;
-use crate::study::sources::{CHAIN, Places};
+use crate::study::pages::page_section::PageSection;
+use crate::study::sources::{CHAIN, SourcePaths};
 use std::path::Path;
 use std::process::Command;
 use wayside::host::failure::Failure;
 use wayside::host::progress::note;
 
 /// Sources that the figures depend on.
-pub(crate) const SOURCES: Places = &[CHAIN, &["crates/wayside/tests/scenes/ghost_streets.rs", file!()]];
+pub(crate) const SOURCES: SourcePaths = &[CHAIN, &["crates/wayside/tests/scenes/ghost_streets.rs", file!()]];
 
 /// Transmitters in two rows.
 const TWO_ROWS: &str = "tx_half_wavelengths = [[0, 0], [4, 0], [8, 0], [0, 2], [4, 2], [8, 2]]\n\
@@ -25,11 +25,11 @@ const ARRAYS: [(&str, &str, f64, u64); 4] = [
     ("12 × 16", "preset = \"12x16\"", 2.0 / 192.0, 3),
 ];
 
-pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
-    let mut part = Part::default();
+pub(crate) fn section(extent: Extent) -> Result<PageSection, Failure> {
+    let mut part = PageSection::default();
     part.head(&["array", "waves over two bodies, marked", "echoes of one body, marked"]);
     for (name, array, beam, streets) in ARRAYS {
-        let streets = extent.of(streets);
+        let streets = extent.case_count(streets);
         let Counts { ghosts, direct, wrong } = counts(array, beam, 0..streets as u32, &table_of)?;
         wrong.iter().for_each(note);
         part.line(format!(

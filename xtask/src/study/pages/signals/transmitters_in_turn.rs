@@ -6,8 +6,8 @@ use crate::study::pages::measures::signals::common::{Target, elements_3x4, eleme
 use crate::study::pages::measures::signals::fold_trials::{
     folds_of_points, in_turn, in_turn_twice, isolated_is_right, right_of, seen_once, vehicles, vehicles_right,
 };
-use crate::study::pages::part::Part;
-use crate::study::sources::{Places, SIGNALS};
+use crate::study::pages::page_section::PageSection;
+use crate::study::sources::{SIGNALS, SourcePaths};
 use artifact::cube::CubeHeader;
 use dsp::angle::Direction;
 use dsp::least_loss;
@@ -15,10 +15,10 @@ use rayon::prelude::*;
 use wayside::host::failure::Failure;
 
 /// Sources that the figures depend on.
-pub(crate) const SOURCES: Places = &[SIGNALS, &["crates/dsp/tests/estimation/fold_trials.rs", file!()]];
+pub(crate) const SOURCES: SourcePaths = &[SIGNALS, &["crates/dsp/tests/estimation/fold_trials.rs", file!()]];
 
-pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
-    let mut part = Part::default();
+pub(crate) fn section(extent: Extent) -> Result<PageSection, Failure> {
+    let mut part = PageSection::default();
     arrays(&mut part, extent);
     part.line("");
     by_vehicles(&mut part, extent);
@@ -48,7 +48,7 @@ fn all() -> [(&'static str, Elements, u64); 7] {
 }
 
 /// Adds a row for each array: the loss of a wrong fold, and the folds found for single points.
-fn arrays(part: &mut Part, extent: Extent) {
+fn arrays(part: &mut PageSection, extent: Extent) {
     part.head(&[
         "array: transmitters by receivers, λ/2",
         "a wrong fold loses",
@@ -64,7 +64,7 @@ fn arrays(part: &mut Part, extent: Extent) {
         let slots = header.radar.array.tx_m.len() as u32;
         header.radar.waveform.chirps = (192 / slots).max(32);
         let lost = least_loss(&header, &directions, 40.0);
-        let [found, certain, right, certain_right] = folds_of_points(&header, extent.of(trials));
+        let [found, certain, right, certain_right] = folds_of_points(&header, extent.case_count(trials));
         let share = |n: usize| format!("{:.2} %", 100.0 * n as f64 / found as f64);
         part.row(&[
             name.to_owned(),
@@ -79,9 +79,9 @@ fn arrays(part: &mut Part, extent: Extent) {
 
 const OF_VEHICLES: [(&str, usize); 2] = [("vehicles", 1), ("vehicles, two in the same range cells", 2)];
 
-fn by_vehicles(part: &mut Part, extent: Extent) {
+fn by_vehicles(part: &mut PageSection, extent: Extent) {
     part.head(&["array", "targets", "number", "right", "certain and wrong"]);
-    let trials = extent.of(60);
+    let trials = extent.case_count(60);
     for (name, elements) in [("3x4, 29 µs", elements_3x4()), ("6x8, 29 µs", elements_6x8())] {
         let header = in_turn(elements);
         for (what, count) in OF_VEHICLES {
@@ -89,7 +89,7 @@ fn by_vehicles(part: &mut Part, extent: Extent) {
             row(part, [name, what], right, count as u64 * trials, Some(wrong));
         }
     }
-    let (name, headers, points) = ("3x4, 60 and 75 µs", in_turn_twice(), extent.of(500));
+    let (name, headers, points) = ("3x4, 60 and 75 µs", in_turn_twice(), extent.case_count(500));
     let lone = (0..points).into_par_iter().filter(|seed| isolated_is_right(&headers, *seed)).count();
     row(part, [name, "lone points"], lone, points, None);
     for (what, count) in OF_VEHICLES {

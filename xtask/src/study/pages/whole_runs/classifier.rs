@@ -4,8 +4,8 @@ use super::run_folder::RunFolder;
 use super::scene_files::text_of;
 use crate::project::project_root;
 use crate::study::extent::Extent;
-use crate::study::pages::part::Part;
-use crate::study::sources::{CHAIN, Places, RUN};
+use crate::study::pages::page_section::PageSection;
+use crate::study::sources::{CHAIN, RUN, SourcePaths};
 use artifact::dataset::Split;
 use artifact::settings::Class;
 use classifier::Evaluation;
@@ -18,10 +18,10 @@ use wayside::host::progress::Work;
 use wayside::outcome::summary::{Predicted, TargetSummary};
 
 /// Sources of the answers to the splits.
-pub(crate) const SOURCES: Places = &[&["fixtures/paper-network.metrics.json", file!()]];
+pub(crate) const SOURCES: SourcePaths = &[&["fixtures/paper-network.metrics.json", file!()]];
 
 /// Sources of the answers among other vehicles.
-pub(crate) const SOURCES_OF_SCENES: Places = &[
+pub(crate) const SOURCES_OF_SCENES: SourcePaths = &[
     CHAIN,
     RUN,
     &["crates/classifier", "fixtures/paper-network.model", file!()],
@@ -35,11 +35,11 @@ struct Metrics {
 }
 
 /// Accuracy of each split, and the confusion of the test split; what training has left, whatever the extent.
-pub(crate) fn part(_: Extent) -> Result<Part, Failure> {
+pub(crate) fn section(_: Extent) -> Result<PageSection, Failure> {
     let file = project_root().join("fixtures/paper-network.metrics.json");
     let text = std::fs::read(&file).map_err(|e| Failure::system(&file, "read", e))?;
     let Metrics { splits } = serde_json::from_slice(&text).map_err(|e| Failure::refused(e).about(&file))?;
-    let mut part = Part::default();
+    let mut part = PageSection::default();
     part.head(&["split", "scenes", "accuracy", "95 % interval", "log loss", "calibration error"]);
     for (split, answers) in &splits {
         part.row(&cells(*split, answers));
@@ -68,7 +68,7 @@ fn cells(split: Split, answers: &Evaluation) -> [String; 6] {
     ]
 }
 
-fn confusion(part: &mut Part, answers: &Evaluation) {
+fn confusion(part: &mut PageSection, answers: &Evaluation) {
     let names = Class::ALL.map(Class::name);
     part.head(&[&[""][..], &names].concat());
     for (name, counts) in names.iter().zip(answers.confusion) {
@@ -79,31 +79,31 @@ fn confusion(part: &mut Part, answers: &Evaluation) {
 const SCENES: [&str; 3] = ["intersection", "four-directions", "street"];
 
 /// Answers among other vehicles, radar by radar; for a quick study those of the first scene.
-pub(crate) fn part_of_scenes(extent: Extent) -> Result<Part, Failure> {
+pub(crate) fn scenes_section(extent: Extent) -> Result<PageSection, Failure> {
     let scenes = if extent == Extent::Quick { &SCENES[..1] } else { &SCENES[..] };
     let (runs, work) = (RunFolder::new()?, Work::begin("scenes"));
-    let mut part = Part::default();
+    let mut part = PageSection::default();
     part.head(&["scene", "correct", "taken for another class"]);
     for (number, scene) in scenes.iter().enumerate() {
         work.at(number, scenes.len());
         let model = project_root().join("fixtures/paper-network.model");
         let (_, outcome) = runs.outcome(scene, &text_of(scene)?, |run| run.classifier = Some(model))?;
-        let mut told = Told::default();
-        outcome.radars().iter().for_each(|radar| told.add(radar.folder(), radar.summary()));
-        let correct = format!("{} of {}", told.right, told.right + told.wrong.len());
-        part.named_row(&format!("`{scene}.toml`"), [correct, told.wrong.join("; ")]);
+        let mut score = ClassScore::default();
+        outcome.radars().iter().for_each(|radar| score.add(radar.folder(), radar.summary()));
+        let correct = format!("{} of {}", score.right, score.right + score.wrong.len());
+        part.named_row(&format!("`{scene}.toml`"), [correct, score.wrong.join("; ")]);
     }
     Ok(part)
 }
 
 /// Answers about the vehicles that were found.
 #[derive(Default)]
-struct Told {
+struct ClassScore {
     right: usize,
     wrong: Vec<String>,
 }
 
-impl Told {
+impl ClassScore {
     /// Adds those of a radar, whose folder has its name.
     fn add(&mut self, folder: &Path, summary: &Summary) {
         let found = summary.frames.iter().flat_map(|frame| &frame.targets);
@@ -134,7 +134,7 @@ mod tests {
 
     #[test]
     fn what_training_has_left_is_read_and_a_wrong_answer_is_told_with_its_probability() {
-        let (text, _) = part(Extent::Full).unwrap().finished();
+        let (text, _) = section(Extent::Full).unwrap().finished();
         assert!(text.contains("| train | 142 | 94.4 % | 89.3 … 97.1 % | 0.226 | 0.096 |\n"), "{text}");
         assert!(text.contains("| truck | 1 | 7 | 7 | 0 |\n"), "{text}");
         let probabilities = Probabilities::of(Some(&[0.25, 0.5, 0.125, 0.125]));

@@ -2,8 +2,8 @@
 
 use super::scene_files::{place_of, text_of, with_key};
 use crate::study::extent::Extent;
-use crate::study::pages::part::Part;
-use crate::study::sources::{CHAIN, Places, RUN};
+use crate::study::pages::page_section::PageSection;
+use crate::study::sources::{CHAIN, RUN, SourcePaths};
 use wayside::Allowance;
 use wayside::host::failure::Failure;
 use wayside::host::files;
@@ -11,7 +11,7 @@ use wayside::host::progress::note;
 use wayside::learning::dataset::{self, DatasetSettings, Task};
 
 /// Sources that the figures depend on.
-pub(crate) const SOURCES: Places = &[
+pub(crate) const SOURCES: SourcePaths = &[
     CHAIN,
     RUN,
     &["crates/learning/src/dataset", "crates/learning/src/dataset.rs"],
@@ -22,7 +22,7 @@ const RECIPE: &str = "vehicles.dataset";
 const SCENES_PER_CLASS: u64 = 60;
 
 /// The table that `cargo xtask dataset` writes beside its shards.
-pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
+pub(crate) fn section(extent: Extent) -> Result<PageSection, Failure> {
     let folder = tempfile::tempdir().map_err(|e| Failure::System(format!("no temporary folder: {e}")))?;
     let (recipe, out) = (folder.path().join("recipe.toml"), folder.path().join("vehicles"));
     files::write_file(&recipe, recipe_of(extent)?.as_bytes())?;
@@ -36,7 +36,7 @@ pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
     })?;
     let table = out.join("detection.md");
     let text = std::fs::read_to_string(&table).map_err(|e| Failure::system(&table, "read", e))?;
-    let mut part = Part::default();
+    let mut part = PageSection::default();
     part.line(text.trim_end());
     Ok(part)
 }
@@ -45,7 +45,7 @@ pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
 fn recipe_of(extent: Extent) -> Result<String, Failure> {
     let scene = format!("{:?}", place_of("intersection"));
     let recipe = with_key(&text_of(RECIPE)?, "", "scene", scene);
-    Ok(with_key(&recipe, "", "scenes_per_class", extent.of(SCENES_PER_CLASS)))
+    Ok(with_key(&recipe, "", "scenes_per_class", extent.case_count(SCENES_PER_CLASS)))
 }
 
 #[cfg(test)]

@@ -2,15 +2,15 @@
 
 use crate::bench::{PredictedCost, RATIOS, Spread, cost_of_random};
 use crate::study::extent::Extent;
-use crate::study::pages::kept::Kept;
-use crate::study::pages::part::{Part, figure};
-use crate::study::sources::{self, CHAIN, Places, RUN};
+use crate::study::pages::page_section::{PageSection, figure};
+use crate::study::pages::row_cache::RowCache;
+use crate::study::sources::{self, CHAIN, RUN, SourcePaths};
 use wayside::host::failure::Failure;
 use wayside::host::progress::Work;
 use wayside::program::values::Shard;
 
 /// Sources that the figures depend on.
-pub(crate) const SOURCES: Places = &[
+pub(crate) const SOURCES: SourcePaths = &[
     CHAIN,
     RUN,
     &["xtask/src/bench/predictions.rs", "xtask/src/bench/predictions", "xtask/src/random_scenes.rs"],
@@ -22,22 +22,22 @@ const SEED: u64 = 11;
 const SCENES: u64 = 100;
 
 /// All scenes; missing ones are run.
-pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
-    told(extent, made)
+pub(crate) fn section(extent: Extent) -> Result<PageSection, Failure> {
+    section_of_rows(extent, get_or_run)
 }
 
 /// The kept scenes, and the number of missing ones.
-pub(crate) fn part_of_kept(extent: Extent) -> Result<Part, Failure> {
-    told(extent, |kept, number| Ok(kept.row::<Row>(&name(number)).flatten()))
+pub(crate) fn section_from_cache(extent: Extent) -> Result<PageSection, Failure> {
+    section_of_rows(extent, |cache, number| Ok(cache.get::<Row>(&name(number)).flatten()))
 }
 
 /// Runs every `of`th scene from `number` on, and keeps its costs for the page.
 pub(crate) fn rows(extent: Extent, shard: Shard) -> Result<(), Failure> {
-    let (kept, count) = (kept()?, extent.of(SCENES));
+    let (cache, count) = (cache()?, extent.case_count(SCENES));
     let work = Work::begin("scenes");
     for number in (u64::from(shard.number - 1)..count).step_by(shard.of as usize) {
         work.at(number as usize, count as usize);
-        made(&kept, number)?;
+        get_or_run(&cache, number)?;
     }
     Ok(())
 }
@@ -45,36 +45,39 @@ pub(crate) fn rows(extent: Extent, shard: Shard) -> Result<(), Failure> {
 /// Costs of a scene; `None` if it is refused.
 type Row = Option<PredictedCost>;
 
-fn kept() -> Result<Kept, Failure> {
-    Ok(Kept::of("predictions", &sources::hash(SOURCES)?))
+fn cache() -> Result<RowCache, Failure> {
+    Ok(RowCache::of("predictions", &sources::hash(SOURCES)?))
 }
 
 fn name(number: u64) -> String {
     format!("random-{SEED}-{number:03}")
 }
 
-fn made(kept: &Kept, number: u64) -> Result<Row, Failure> {
-    kept.or_made(&name(number), || cost_of_random(SEED, number))
+fn get_or_run(cache: &RowCache, number: u64) -> Result<Row, Failure> {
+    cache.get_or_make(&name(number), || cost_of_random(SEED, number))
 }
 
-fn told(extent: Extent, row: impl Fn(&Kept, u64) -> Result<Row, Failure>) -> Result<Part, Failure> {
-    let (kept, count) = (kept()?, extent.of(SCENES));
+fn section_of_rows(
+    extent: Extent,
+    row: impl Fn(&RowCache, u64) -> Result<Row, Failure>,
+) -> Result<PageSection, Failure> {
+    let (cache, count) = (cache()?, extent.case_count(SCENES));
     let work = Work::begin("scenes");
     let mut costs = vec![];
     for number in 0..count {
         work.at(number as usize, count as usize);
-        costs.extend(row(&kept, number)?);
+        costs.extend(row(&cache, number)?);
     }
     let mut part = table(&costs);
-    let missing = kept.missing::<Row>((0..count).map(name));
+    let missing = cache.missing::<Row>((0..count).map(name));
     if missing > 0 {
         part.line(format!("\nOf {count} scenes {missing} were not run."));
     }
     Ok(part)
 }
 
-fn table(costs: &[PredictedCost]) -> Part {
-    let mut part = Part::default();
+fn table(costs: &[PredictedCost]) -> PageSection {
+    let mut part = PageSection::default();
     let quantiles = ["least", "5 %", "25 %", "50 %", "75 %", "95 %", "most"];
     let head = [&["predicted over actual", "scenes"][..], &quantiles, &["within a factor of 2", "below 1"]];
     part.head(&head.concat());

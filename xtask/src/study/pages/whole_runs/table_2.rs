@@ -3,14 +3,14 @@
 use super::run_folder::RunFolder;
 use super::scene_files::text_of;
 use crate::study::extent::Extent;
-use crate::study::pages::part::{Part, figure, figure_or_dash};
-use crate::study::sources::{CHAIN, Places, RUN};
+use crate::study::pages::page_section::{PageSection, figure, figure_or_dash};
+use crate::study::sources::{CHAIN, RUN, SourcePaths};
 use wayside::Summary;
 use wayside::host::failure::Failure;
 use wayside::outcome::summary::{FrameSummary, MapState, RadarSummary, TargetSummary};
 
 /// Sources that the figures depend on.
-pub(crate) const SOURCES: Places = &[
+pub(crate) const SOURCES: SourcePaths = &[
     CHAIN,
     RUN,
     &["scenes/experiment-1.toml", "scenes/experiment-2.toml", "scenes/experiment-3.toml", file!()],
@@ -20,11 +20,11 @@ pub(crate) const SOURCES: Places = &[
 const SCENES: [(&str, u32); 3] = [("experiment-1", 14), ("experiment-2", 15), ("experiment-3", 18)];
 
 /// Makes the part; there are three short runs, whatever the extent.
-pub(crate) fn part(_: Extent) -> Result<Part, Failure> {
+pub(crate) fn section(_: Extent) -> Result<PageSection, Failure> {
     let runs = RunFolder::new()?;
     let of = |(name, points): &(&str, u32)| Experiment::of(&runs, name, *points);
     let all: Vec<Experiment> = SCENES.iter().map(of).collect::<Result<_, _>>()?;
-    let mut part = Part::default();
+    let mut part = PageSection::default();
     part.head(&["", "experiment 1", "experiment 2", "experiment 3"]);
     for (name, cell) in ROWS {
         part.named_row(name, all.iter().map(cell));

@@ -3,14 +3,14 @@
 use super::run_folder::RunFolder;
 use super::scene_files::{text_of, with_key};
 use crate::study::extent::Extent;
-use crate::study::pages::part::{Part, figure_or_dash};
-use crate::study::sources::{CHAIN, Places, RUN};
+use crate::study::pages::page_section::{PageSection, figure_or_dash};
+use crate::study::sources::{CHAIN, RUN, SourcePaths};
 use wayside::host::failure::Failure;
 use wayside::host::progress::Work;
 use wayside::outcome::summary::{Agreement, IdentityMetrics, Metrics};
 
 /// Sources that the figures depend on.
-pub(crate) const SOURCES: Places = &[
+pub(crate) const SOURCES: SourcePaths = &[
     CHAIN,
     RUN,
     &["scenes/tracking.toml", "scenes/traffic-minute.toml", "fixtures/junction.fcd.xml.gz", file!()],
@@ -23,7 +23,7 @@ const SCENES: [(&str, &str); 2] = [("tracking", "tracking"), ("junction", "traff
 const QUICK_FRAMES: u32 = 4;
 
 /// A column of objects and one of tracks for each scene; for a quick study the first frames of one.
-pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
+pub(crate) fn section(extent: Extent) -> Result<PageSection, Failure> {
     let scenes = if extent == Extent::Quick { &SCENES[..1] } else { &SCENES[..] };
     let work = Work::begin("scenes");
     let mut all = vec![];
@@ -31,7 +31,7 @@ pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
         work.at(number, scenes.len());
         all.push(metrics(scene, extent)?);
     }
-    let mut part = Part::default();
+    let mut part = PageSection::default();
     let head = scenes.iter().flat_map(|(name, _)| [format!("{name}: objects"), "tracks".to_owned()]);
     let head: Vec<String> = std::iter::once(String::new()).chain(head).collect();
     part.head(&head.iter().map(String::as_str).collect::<Vec<_>>());

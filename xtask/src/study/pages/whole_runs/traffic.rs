@@ -5,8 +5,8 @@ use super::run_folder::RunFolder;
 use super::scene_files::{text_of, with_key, without_key};
 use crate::project::{project_root, shared};
 use crate::study::extent::Extent;
-use crate::study::pages::part::Part;
-use crate::study::sources::{CHAIN, Places, RUN};
+use crate::study::pages::page_section::PageSection;
+use crate::study::sources::{CHAIN, RUN, SourcePaths};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use wayside::host::failure::Failure;
@@ -14,7 +14,7 @@ use wayside::host::progress::Work;
 use wayside::outcome::summary::FrameSummary;
 
 /// Sources that the figures depend on.
-pub(crate) const SOURCES: Places = &[
+pub(crate) const SOURCES: SourcePaths = &[
     CHAIN,
     RUN,
     &[
@@ -41,7 +41,7 @@ struct Case {
 }
 
 /// Both tables.
-pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
+pub(crate) fn section(extent: Extent) -> Result<PageSection, Failure> {
     let cases = cases(extent)?;
     let work = Work::begin("scenes");
     let mut all = vec![];
@@ -50,7 +50,7 @@ pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
         all.push(counts(case)?);
     }
     let told: Vec<(&Case, &Counts)> = cases.iter().zip(&all).collect();
-    let mut part = Part::default();
+    let mut part = PageSection::default();
     part.head(&["scene", "frames", "bodies", "found", "false", "false by cause"]);
     told.iter().for_each(|(case, counts)| first_rows(&mut part, case, counts));
     part.line("\nFound and false by `cluster_cross_m`:\n");
@@ -172,7 +172,7 @@ fn counts(case: &Case) -> Result<Counts, Failure> {
     Ok(counts)
 }
 
-fn first_rows(part: &mut Part, case: &Case, counts: &Counts) {
+fn first_rows(part: &mut PageSection, case: &Case, counts: &Counts) {
     for (name, of_row_m) in case.rows {
         let counted = ACROSS_M.iter().zip(counts).find(|(across_m, _)| *across_m == of_row_m);
         if let Some((_, Some(count))) = counted {
@@ -181,7 +181,7 @@ fn first_rows(part: &mut Part, case: &Case, counts: &Counts) {
     }
 }
 
-fn second_row(part: &mut Part, case: &Case, counts: &Counts) {
+fn second_row(part: &mut PageSection, case: &Case, counts: &Counts) {
     let (Some(name), [Some(first), ..]) = (case.across, counts) else { return };
     let cell = |count: &Option<Count>| {
         count.as_ref().map_or("–".to_owned(), |count| format!("{}, {}", count.found, count.false_ones()))

@@ -4,9 +4,9 @@ use super::scene_files::place_of;
 use crate::processes::{ProcessCosts, costs_of};
 use crate::project::this_program;
 use crate::study::extent::Extent;
-use crate::study::pages::part::{Part, figure, figure_or_dash};
+use crate::study::pages::page_section::{PageSection, figure, figure_or_dash};
 use crate::study::pages::real_vehicles;
-use crate::study::sources::{CHAIN, Places, RUN};
+use crate::study::sources::{CHAIN, RUN, SourcePaths};
 use std::path::Path;
 use std::process::Command;
 use wayside::Summary;
@@ -15,20 +15,20 @@ use wayside::host::progress::Work;
 use wayside::outcome::summary::{Estimate, FrameSummary, TargetSummary};
 
 /// Sources that the figures depend on.
-pub(crate) const SOURCES: Places = &[CHAIN, RUN, &["scenes/experiment-1.toml", file!()]];
+pub(crate) const SOURCES: SourcePaths = &[CHAIN, RUN, &["scenes/experiment-1.toml", file!()]];
 
 /// Limits of a model.
 const MOST: ProcessCosts = ProcessCosts { processor_s: 300.0, peak_mib: 4096.0 };
 
 /// A row for each model, for a quick study for the first two. Without the models the page stays as it is.
-pub(crate) fn part(extent: Extent) -> Result<Part, Failure> {
+pub(crate) fn section(extent: Extent) -> Result<PageSection, Failure> {
     let skipped = || {
         Failure::Refused(format!("{}: skipped: the models are not here", real_vehicles::folder().display()))
     };
     let mut files = real_vehicles::files().ok_or_else(skipped)?;
     files.truncate(if extent == Extent::Quick { 2 } else { files.len() });
     let folder = tempfile::tempdir().map_err(|e| Failure::System(format!("no temporary folder: {e}")))?;
-    let mut part = Part::default();
+    let mut part = PageSection::default();
     part.head(&COLUMNS);
     let work = Work::begin("real vehicles");
     for (number, file) in files.iter().enumerate() {

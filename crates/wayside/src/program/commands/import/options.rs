@@ -2,14 +2,14 @@
 
 use crate::program::cli::ImportArguments;
 use artifact::radar::Sampling;
-use formats::radar_cloud::import::{ending, frames_of};
+use formats::radar_cloud::import::{extension, frames_of};
 use formats::raw_data::{IntegerStep, arrays, sigmf, uwcr};
 use pipeline::host::failure::Failure;
 use std::path::PathBuf;
 
 /// Kind of an import.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum ImportKind {
     /// A NumPy array of complex floats, or a folder of them.
     Array,
     /// The `.bin` of a DCA1000EVM.
@@ -22,10 +22,10 @@ pub(super) enum Kind {
     Clouds,
 }
 
-impl Kind {
+impl ImportKind {
     /// Determines the kind of frames from the ending that their files share.
     fn of_frames(files: &[PathBuf]) -> Self {
-        let is_mat = |file: &PathBuf| ending(file).is_some_and(|ending| uwcr::ENDINGS.contains(&ending));
+        let is_mat = |file: &PathBuf| extension(file).is_some_and(|ending| uwcr::ENDINGS.contains(&ending));
         if files.first().is_some_and(is_mat) { Self::Uwcr } else { Self::Array }
     }
 }
@@ -35,7 +35,7 @@ const FOLDER_ENDINGS: [&str; 2] = [uwcr::ENDINGS[0], arrays::ENDINGS[0]];
 
 /// Kind of an import, with the files of its samples.
 pub(super) struct Input {
-    pub(super) kind: Kind,
+    pub(super) kind: ImportKind,
     /// Files that hold the samples; none for clouds, which their own reader lists.
     pub(super) files: Vec<PathBuf>,
 }
@@ -48,13 +48,13 @@ impl Input {
     /// A folder that cannot be listed, or whose frames are not all arrays or all of UWCR.
     pub(super) fn of(arguments: &ImportArguments) -> Result<Self, Failure> {
         let asked = arguments.array.as_path();
-        let (kind, files) = match ending(asked) {
-            _ if ending(&arguments.out) == Some("points") => (Kind::Clouds, vec![]),
-            Some("bin") => (Kind::CaptureCard, vec![asked.to_owned()]),
-            Some("sigmf-meta" | "sigmf-data") => (Kind::Sigmf, sigmf::pair(asked).to_vec()),
+        let (kind, files) = match extension(asked) {
+            _ if extension(&arguments.out) == Some("points") => (ImportKind::Clouds, vec![]),
+            Some("bin") => (ImportKind::CaptureCard, vec![asked.to_owned()]),
+            Some("sigmf-meta" | "sigmf-data") => (ImportKind::Sigmf, sigmf::pair(asked).to_vec()),
             _ => {
                 let files = frames_of(asked, &FOLDER_ENDINGS)?;
-                (Kind::of_frames(&files), files)
+                (ImportKind::of_frames(&files), files)
             }
         };
         Ok(Self { kind, files })
@@ -65,7 +65,7 @@ impl Input {
 struct KindOption {
     name: &'static str,
     is_given: fn(&ImportArguments) -> bool,
-    kinds: &'static [Kind],
+    kinds: &'static [ImportKind],
     rule: &'static str,
 }
 
@@ -75,25 +75,25 @@ const OPTIONS: [KindOption; 4] = [
     KindOption {
         name: "--step",
         is_given: |arguments| arguments.step.is_some(),
-        kinds: &[Kind::CaptureCard, Kind::Sigmf],
+        kinds: &[ImportKind::CaptureCard, ImportKind::Sigmf],
         rule: INTEGERS,
     },
     KindOption {
         name: "--full-scale",
         is_given: |arguments| arguments.full_scale.is_some(),
-        kinds: &[Kind::Array, Kind::CaptureCard, Kind::Sigmf, Kind::Uwcr],
+        kinds: &[ImportKind::Array, ImportKind::CaptureCard, ImportKind::Sigmf, ImportKind::Uwcr],
         rule: "is for samples: a cloud of detections has none",
     },
     KindOption {
         name: "--layout",
         is_given: |arguments| arguments.layout.is_some(),
-        kinds: &[Kind::CaptureCard],
+        kinds: &[ImportKind::CaptureCard],
         rule: CAPTURE_CARD,
     },
     KindOption {
         name: "--iq-order",
         is_given: |arguments| arguments.iq_order.is_some(),
-        kinds: &[Kind::CaptureCard],
+        kinds: &[ImportKind::CaptureCard],
         rule: CAPTURE_CARD,
     },
 ];
@@ -103,7 +103,7 @@ const INTEGERS: &str =
 const CAPTURE_CARD: &str = "is for the .bin of a DCA1000EVM";
 
 /// Refuses an option that does not apply to this kind of input.
-pub(super) fn check(arguments: &ImportArguments, kind: Kind) -> Result<(), Failure> {
+pub(super) fn check(arguments: &ImportArguments, kind: ImportKind) -> Result<(), Failure> {
     let is_idle = |option: &&KindOption| (option.is_given)(arguments) && !option.kinds.contains(&kind);
     match OPTIONS.iter().find(is_idle) {
         Some(option) => Err(off(arguments, option.name, option.rule)),
@@ -119,11 +119,13 @@ pub(super) fn check_samples(
 ) -> Result<(), Failure> {
     match step {
         IntegerStep::Floats if arguments.step.is_some() => Err(off(arguments, "--step", INTEGERS)),
-        IntegerStep::Told(_, place) if arguments.full_scale.is_some() => {
+        IntegerStep::Described(_, place) if arguments.full_scale.is_some() => {
             let rule = format!("is for samples in steps: {} tells what a step is, √W", place.display());
             Err(off(arguments, "--full-scale", &rule))
         }
-        IntegerStep::Counted { full_scale: Some(steps), place, .. } if arguments.full_scale.is_some() => {
+        IntegerStep::ConverterSteps { full_scale: Some(steps), place, .. }
+            if arguments.full_scale.is_some() =>
+        {
             let rule = format!("is told already: {} has a full scale of {steps} steps", place.display());
             Err(off(arguments, "--full-scale", &rule))
         }

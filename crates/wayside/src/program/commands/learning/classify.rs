@@ -55,7 +55,7 @@ fn maps(model: &LoadedModel, file: &Path) -> Result<(), Failure> {
     for rdm in progress::frames(reader) {
         let rdm = rdm?;
         let points = receiver.detect(&rdm).map_err(Failure::refused)?;
-        terminal::call_off().check()?;
+        terminal::cancellation().check()?;
         for (object, p) in model.classify(&receiver, &rdm, &points)?.iter().enumerate() {
             tell(model, file, rdm.index, &object.to_string(), p);
         }
@@ -73,7 +73,7 @@ fn samples(model: &LoadedModel, file: &Path) -> Result<(), Failure> {
         if batch.is_empty() {
             return Ok(());
         }
-        terminal::call_off().check()?;
+        terminal::cancellation().check()?;
         for (sample, p) in batch.iter().zip(model.of_samples(&batch).map_err(|failure| failure.about(file))?)
         {
             tell(model, file, sample.frame, &sample.id, &p);
@@ -85,6 +85,6 @@ fn samples(model: &LoadedModel, file: &Path) -> Result<(), Failure> {
 fn tell(model: &LoadedModel, file: &Path, frame: u32, target: &str, p: &[f32; 4]) {
     terminal::line(json!({
         "file": file.display().to_string(), "frame": frame, "target": target,
-        "class": model.rule().told(p), "probabilities": Probabilities::of(Some(p)),
+        "class": model.rule().predict(p), "probabilities": Probabilities::of(Some(p)),
     }));
 }

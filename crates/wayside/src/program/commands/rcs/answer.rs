@@ -1,15 +1,15 @@
 //! Answer of `rcs` on the console: the table's level and its errors.
 
 use crate::program::terminal;
-use crate::stepwise::{AskedTable, RcsTable, far_field_from_m};
+use crate::stepwise::{RcsTable, RequestedTable, far_field_from_m};
 use artifact::scene::Mesh;
 use artifact::units::{db_from_amplitude, db_from_power};
-use bart_rcs::Followed;
-use pipeline::outcome::verdict::Asking;
+use bart_rcs::MirrorRefinement;
+use pipeline::outcome::verdict::RequestSource;
 use std::path::Path;
 
 /// Prints level and errors of the table in a file.
-pub(super) fn tell(table: &RcsTable, asked: &AskedTable, mesh: &Mesh, out: &Path) {
+pub(super) fn tell(table: &RcsTable, requested: &RequestedTable, mesh: &Mesh, out: &Path) {
     let powers = || table.amplitude_m.iter().map(|s| s.norm_sqr());
     let mean = powers().sum::<f64>() / table.amplitude_m.len().max(1) as f64;
     let (mean, peak) = (db_from_power(mean), db_from_power(powers().fold(0.0, f64::max)));
@@ -17,19 +17,19 @@ pub(super) fn tell(table: &RcsTable, asked: &AskedTable, mesh: &Mesh, out: &Path
     if table.vanishes {
         return terminal::line(VANISHES);
     }
-    table.verdict(asked.accuracy_db).lines(Asking::Options).into_iter().for_each(terminal::line);
+    table.verdict(requested.accuracy_db).lines(RequestSource::Options).into_iter().for_each(terminal::line);
     terminal::line(of_model(table));
     if let Some(dropped) = table.dropped_at_most {
         terminal::line(format!("dropped beams scatter at most: {}", decibels(dropped)));
     }
-    if let Some(Followed { least_area_m2, traced_again: again @ 1.. }) = table.mirrors {
+    if let Some(MirrorRefinement { least_area_m2, traced_again: again @ 1.. }) = table.mirrors {
         terminal::line(format!(
             "{again} aspects traced again with smaller mirrors, from {:.1e} mm² on",
             1e6 * least_area_m2
         ));
     }
-    if asked.range_m.is_infinite() {
-        terminal::line(warning(table, far_field_from_m(mesh.size_m(), &asked.frequency_hz)));
+    if requested.range_m.is_infinite() {
+        terminal::line(warning(table, far_field_from_m(mesh.size_m(), &requested.frequency_hz)));
     }
 }
 

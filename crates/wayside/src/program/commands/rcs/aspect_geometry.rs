@@ -6,7 +6,7 @@ use glam::DVec3;
 
 /// Antennas of an azimuth at the first elevation.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Look {
+pub(super) struct AspectGeometry {
     transmitter: Standpoint,
     /// Fixed receiver; `None` if it moves with the transmitter.
     receiver: Option<Standpoint>,
@@ -19,7 +19,7 @@ pub(super) struct Extent {
     pub(super) across_m: [f64; 2],
 }
 
-impl Look {
+impl AspectGeometry {
     pub(super) fn of(request: &RcsRequest, azimuth_rad: f64) -> Self {
         let elevation_rad = request.elevation_rad.first().copied().unwrap_or(0.0);
         let transmitter = Standpoint { azimuth_rad, elevation_rad, range_m: request.range_m };
@@ -95,7 +95,8 @@ mod tests {
         const STEP: f64 = 1e-6;
         for range_m in [3.0, f64::INFINITY] {
             for receiver in [None, Some(at(1.2, 0.1, 4.0))] {
-                let look = |azimuth_rad| Look { transmitter: at(azimuth_rad, 0.6, range_m), receiver };
+                let look =
+                    |azimuth_rad| AspectGeometry { transmitter: at(azimuth_rad, 0.6, range_m), receiver };
                 let turned = look(0.4 + STEP).range_m(PLACE_M) - look(0.4 - STEP).range_m(PLACE_M);
                 let asked = -turned / (2.0 * STEP) * 2.0 / look(0.4).moving();
                 let got = look(0.4).across_m(PLACE_M);

@@ -1,10 +1,10 @@
 //! Range profiles and inverse synthetic aperture images of a table S(frequency, azimuth).
 //!
-//! A scatterer at x has S ∝ e^{−2jkr}, where r is its range beyond the origin ([`Look::range_m`]; −r̂·x far
-//! away): the transform over frequency compresses it to that range, and summing each azimuth's profile at a
-//! place's range compresses it to its place.
+//! A scatterer at x has S ∝ e^{−2jkr}, where r is its range beyond the origin ([`AspectGeometry::range_m`];
+//! −r̂·x far away): the transform over frequency compresses it to that range, and summing each azimuth's
+//! profile at a place's range compresses it to its place.
 
-use crate::program::commands::rcs::aspect_geometry::{Extent, Look};
+use crate::program::commands::rcs::aspect_geometry::{AspectGeometry, Extent};
 use crate::program::commands::rcs::sampling::{Sampling, Samplings, centre};
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use glam::DVec3;
@@ -17,12 +17,12 @@ use std::f64::consts::TAU;
 #[derive(Debug, Clone)]
 pub(super) struct Image {
     pub(super) power_m2: Array2<f64>,
-    pub(super) sum: Sum,
+    pub(super) sum: Summation,
 }
 
 /// Way in which an image is summed over azimuths.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Sum {
+pub(super) enum Summation {
     /// Sum of complex values: azimuths are dense enough.
     Coherent,
     /// Sum of powers.
@@ -61,9 +61,9 @@ pub(super) struct Square<'a> {
 }
 
 impl Square<'_> {
-    fn sum(&self) -> Sum {
+    fn sum(&self) -> Summation {
         let is_coarse = self.samplings.cross_range.is_some_and(|cross| cross.is_ambiguous());
-        if is_coarse { Sum::Incoherent } else { Sum::Coherent }
+        if is_coarse { Summation::Incoherent } else { Summation::Coherent }
     }
 
     /// Unambiguous window of a look about the middle of the body. Beyond it the body repeats; it is unbounded
@@ -88,7 +88,7 @@ impl Square<'_> {
 /// would show the body again.
 pub(super) fn image(
     frequency_hz: &[f64],
-    looks: &[(Look, Extent)],
+    looks: &[(AspectGeometry, Extent)],
     table: &ArrayView2<Complex64>,
     square: Square<'_>,
 ) -> Image {
@@ -100,7 +100,7 @@ pub(super) fn image(
     let place = |i: usize| square.half_width_m * (2.0 * (i as f64 + 0.5) / SIDE as f64 - 1.0);
     let cell = |(y, x): (usize, usize)| {
         let place_m = DVec3::new(place(y), place(x), square.height_m);
-        let value = |((look, _), (profile, window)): (&(Look, Extent), (&Profile, &Extent))| {
+        let value = |((look, _), (profile, window)): (&(AspectGeometry, Extent), (&Profile, &Extent))| {
             let range_m = look.range_m(place_m);
             let is_inside = |[low, high]: [f64; 2], v: f64| low <= v && v <= high;
             if is_inside(window.range_m, range_m) && is_inside(window.across_m, look.across_m(place_m)) {
@@ -114,11 +114,11 @@ pub(super) fn image(
     Image { power_m2: Array2::from_shape_fn((SIDE, SIDE), cell), sum }
 }
 
-fn power(values: impl ExactSizeIterator<Item = Complex64>, sum: Sum) -> f64 {
+fn power(values: impl ExactSizeIterator<Item = Complex64>, sum: Summation) -> f64 {
     let count = values.len() as f64;
     match sum {
-        Sum::Coherent => (values.sum::<Complex64>() / count).norm_sqr(),
-        Sum::Incoherent => values.map(|s| s.norm_sqr()).sum::<f64>() / count,
+        Summation::Coherent => (values.sum::<Complex64>() / count).norm_sqr(),
+        Summation::Incoherent => values.map(|s| s.norm_sqr()).sum::<f64>() / count,
     }
 }
 
@@ -194,10 +194,10 @@ mod tests {
     fn shown(request: &RcsRequest, height_m: f64) -> Vec<[f64; 2]> {
         let corners = CORNERS.map(|[ahead_m, left_m]| [ahead_m, left_m, height_m]);
         let mesh = Mesh { vertices_m: corners.to_vec(), ..Mesh::default() };
-        let looks: Vec<(Look, Extent)> = request
+        let looks: Vec<(AspectGeometry, Extent)> = request
             .azimuth_rad
             .iter()
-            .map(|azimuth_rad| Look::of(request, *azimuth_rad))
+            .map(|azimuth_rad| AspectGeometry::of(request, *azimuth_rad))
             .map(|look| (look, look.extent(&mesh)))
             .collect();
         let distance_m = |at: Standpoint, place_m: DVec3| {
@@ -220,7 +220,7 @@ mod tests {
         let samplings = Samplings::of(&mesh, request);
         let square = Square { half_width_m: HALF_WIDTH_M, height_m, samplings: &samplings };
         let image = image(&request.frequency_hz, &looks, &table.view(), square);
-        assert_eq!(image.sum, Sum::Coherent);
+        assert_eq!(image.sum, Summation::Coherent);
         let strongest = image.power_m2.iter().copied().fold(0.0, f64::max);
         let place = |i: usize| HALF_WIDTH_M * (2.0 * (i as f64 + 0.5) / SIDE as f64 - 1.0);
         let bright = image.power_m2.indexed_iter().filter(|(_, power)| **power > 0.5 * strongest);

@@ -1,8 +1,8 @@
 //! Pictures of a table: level over azimuth and frequency, range profile, ISAR image, and the facets that make
 //! the level.
 
-use crate::program::commands::rcs::aspect_geometry::{Extent, Look};
-use crate::program::commands::rcs::isar::{self, Square, Sum};
+use crate::program::commands::rcs::aspect_geometry::{AspectGeometry, Extent};
+use crate::program::commands::rcs::isar::{self, Square, Summation};
 use crate::program::commands::rcs::sampling::{Sampling, Samplings};
 use crate::program::commands::rcs::silhouette;
 use artifact::scene::Mesh;
@@ -13,9 +13,9 @@ use num_complex::Complex64;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
 use pipeline::host::progress;
-use plotting::colours::heat;
-use plotting::form::{Figure, Form};
+use plotting::colours::inferno;
 use plotting::heat_map::HeatMap;
+use plotting::layout::{Figure, Layout};
 use plotting::lines::{Line, LinePlot, Scale};
 use plotting::marks::{Legend, Mark};
 use plotting::polar::PolarPlot;
@@ -23,7 +23,7 @@ use plotting::svg::Svg;
 use rayon::prelude::*;
 use reporting::pictures::write_png;
 use reporting::report::rcs_view::{self, RcsView};
-use scene::{Painted, PaintedLine, painted_glb};
+use scene::{ColouredLine, ColouredMesh, coloured_glb};
 use std::path::{Path, PathBuf};
 
 /// Writes beside `S.npy` `S-polar.png` and `S-azimuth.png`, `S-frequency.png`, `S-profile.png`, `S-isar.png`,
@@ -40,9 +40,9 @@ pub(super) fn write(
     for name in drawn(request) {
         let drawing = match name {
             POLAR => polar(request, &table).draw(),
-            AZIMUTH => over_azimuth(request, &table).draw(Form::Wide),
-            FREQUENCY => over_frequency(request, &table).draw(Form::Wide),
-            PROFILE => profile(mesh, request, samplings, &table).draw(Form::Wide),
+            AZIMUTH => over_azimuth(request, &table).draw(Layout::Wide),
+            FREQUENCY => over_frequency(request, &table).draw(Layout::Wide),
+            PROFILE => profile(mesh, request, samplings, &table).draw(Layout::Wide),
             _ => image(mesh, request, samplings, &table.slice(s![.., 0, ..]))?,
         };
         write_png(&beside(out, name), &drawing)?;
@@ -101,9 +101,9 @@ pub(super) fn write_facets(
     let parts = contributions(mesh, request, aspect).map_err(Failure::refused)?;
     let strongest = parts.first().map_or(1.0, |c| c.amplitude_m.norm_sqr());
     let colours = triangle_colours(mesh, &parts, strongest);
-    let lines: Vec<PaintedLine> =
+    let lines: Vec<ColouredLine> =
         parts.iter().take(LINES).map(|c| ray(request, aspect, c, strongest)).collect();
-    let bytes = painted_glb(&Painted { mesh, triangle_colours: &colours, lines: &lines });
+    let bytes = coloured_glb(&ColouredMesh { mesh, triangle_colours: &colours, lines: &lines });
     files::write_file(&beside(out, FACETS), &bytes)?;
     let drawings = drawings(request, &table_of(request, amplitude_m)?);
     let view = RcsView { drawings, ..view(out, mesh, request, amplitude_m, &parts) };
@@ -124,7 +124,9 @@ fn drawings(request: &RcsRequest, table: &ArrayView3<Complex64>) -> Vec<(String,
     ];
     let drawn = all.into_iter().filter(|(_, values, _)| *values > 1);
     drawn
-        .map(|(axis, _, plot)| (format!("Level over {axis}, {at}."), Figure::of(|form| plot.draw(form))))
+        .map(|(axis, _, plot)| {
+            (format!("Level over {axis}, {at}."), Figure::draw(|layout| plot.draw(layout)))
+        })
         .collect()
 }
 
@@ -186,9 +188,9 @@ fn middle_height_m(mesh: &Mesh) -> f64 {
 }
 
 /// Looks of all azimuths, with the body's extent in each.
-fn looks(mesh: &Mesh, request: &RcsRequest) -> Vec<(Look, Extent)> {
+fn looks(mesh: &Mesh, request: &RcsRequest) -> Vec<(AspectGeometry, Extent)> {
     let of = |azimuth_rad: &f64| {
-        let look = Look::of(request, *azimuth_rad);
+        let look = AspectGeometry::of(request, *azimuth_rad);
         (look, look.extent(mesh))
     };
     request.azimuth_rad.par_iter().map(of).collect()
@@ -263,7 +265,7 @@ fn line_plot(title: &str, x_label: &str, y_label: &str, lines: Vec<Line>) -> Lin
 fn over_azimuth(request: &RcsRequest, table: &ArrayView3<Complex64>) -> LinePlot {
     let lines = cuts(request, table)
         .into_iter()
-        .map(|(name, points)| Line { name, points, marked: false, words: vec![] })
+        .map(|(name, points)| Line { name, points, has_markers: false, tooltips: vec![] })
         .collect();
     line_plot("Radar cross section over azimuth", "azimuth, degrees", "|S|², dBsm", lines)
 }
@@ -277,8 +279,8 @@ fn over_frequency(request: &RcsRequest, table: &ArrayView3<Complex64>) -> LinePl
             .enumerate()
             .map(|(f, hz)| [1e-9 * hz, dbsm(&table[[f, 0, a]])])
             .collect(),
-        marked: false,
-        words: vec![],
+        has_markers: false,
+        tooltips: vec![],
     };
     let lines = few(request.azimuth_rad.len()).into_iter().map(line).collect();
     line_plot("Radar cross section over frequency", "frequency, GHz", "|S|², dBsm", lines)
@@ -296,10 +298,10 @@ fn profile(
 ) -> LinePlot {
     let line = |a: usize| {
         let samples: Vec<Complex64> = table.slice(s![.., 0, a]).to_vec();
-        let [low_m, high_m] = Look::of(request, request.azimuth_rad[a]).extent(mesh).range_m;
+        let [low_m, high_m] = AspectGeometry::of(request, request.azimuth_rad[a]).extent(mesh).range_m;
         let profile = isar::range_profile(&request.frequency_hz, &samples, 0.5 * (low_m + high_m));
         let points = profile.iter().map(|(range_m, s)| [*range_m, dbsm(s)]).collect();
-        Line { name: azimuth_name(request, a), points, marked: false, words: vec![] }
+        Line { name: azimuth_name(request, a), points, has_markers: false, tooltips: vec![] }
     };
     let lines = few(request.azimuth_rad.len()).into_iter().map(line).collect();
     let range = Samplings { cross_range: None, ..*samplings };
@@ -350,15 +352,15 @@ fn image(
     // Seen from above with the front up, the body's left is on the left.
     let levels_db: Array2<f64> = image.power_m2.slice(s![.., ..;-1]).mapv(db_from_power);
     let how = match image.sum {
-        Sum::Coherent => "Azimuths added with their phases.",
-        Sum::Incoherent => {
+        Summation::Coherent => "Azimuths added with their phases.",
+        Summation::Incoherent => {
             "Azimuths too coarse for phases: profiles added in power, so that cross-range is blurred."
         }
     };
     let warnings = samplings.warnings();
     let [ahead, left] = axis_marks(request, samplings);
     let mut legend = Legend::default();
-    legend.say_of(&[Mark::Plate, Mark::Line], "truthmap", "outline of the mesh from above");
+    legend.add_stacked(&[Mark::Backdrop, Mark::Line], "truthmap", "outline of the mesh from above");
     let map = HeatMap {
         title: "ISAR image (inverse synthetic aperture)".into(),
         notes: std::iter::once(how.to_owned()).chain(warnings.into_iter().map(capital)).collect(),
@@ -367,7 +369,7 @@ fn image(
         levels_db,
         span_db: SPAN_DB,
         unit: "dBsm".into(),
-        over: Some(silhouette::png(mesh, half_width_m)?),
+        overlay: Some(silhouette::png(mesh, half_width_m)?),
         legend,
     };
     map.draw_square().map_err(Failure::refused)
@@ -381,7 +383,7 @@ fn triangle_colours(mesh: &Mesh, parts: &[Contribution], strongest: f64) -> Vec<
 
 /// Line from the transmitter's side, [`RAY_M`] long, over the touched points and equally far out to the
 /// receiver's side.
-fn ray(request: &RcsRequest, aspect: usize, part: &Contribution, strongest: f64) -> PaintedLine {
+fn ray(request: &RcsRequest, aspect: usize, part: &Contribution, strongest: f64) -> ColouredLine {
     let transmitter = standpoint(request, aspect);
     let [direction, back] =
         [transmitter, request.receiver.unwrap_or(transmitter)].map(|s| s.direction().to_array());
@@ -390,12 +392,12 @@ fn ray(request: &RcsRequest, aspect: usize, part: &Contribution, strongest: f64)
     let ends =
         points.first().zip(points.last()).map(|(first, last)| [out(first, direction), out(last, back)]);
     let points_m = ends.map_or(vec![], |[start, end]| [vec![start], points.clone(), vec![end]].concat());
-    PaintedLine { points_m, colour: colour(part.amplitude_m.norm_sqr(), strongest) }
+    ColouredLine { points_m, colour: colour(part.amplitude_m.norm_sqr(), strongest) }
 }
 
 /// Drawn length of a ray's first and last leg.
 const RAY_M: f64 = 1.5;
 
 fn colour(power: f64, strongest: f64) -> [u8; 3] {
-    heat(1.0 + db_from_power(power / strongest) / SPAN_DB)
+    inferno(1.0 + db_from_power(power / strongest) / SPAN_DB)
 }

@@ -6,7 +6,7 @@ use crate::stepwise::RcsTable;
 use artifact::paths::Amplitude;
 use artifact::scene::Mesh;
 use artifact::settings::{Edges, NodeRule, Surface};
-use bart_rcs::{Keeper, Piece, RcsRequest, RcsSeconds, Standpoint};
+use bart_rcs::{CheckpointKey, CheckpointStore, RcsRequest, RcsSeconds, Standpoint};
 use num_complex::Complex64;
 use pipeline::host::checkpoint::Checkpoint;
 use pipeline::host::failure::Failure;
@@ -34,15 +34,15 @@ pub(super) fn answer(
     let (receive, transmit) = request.polarization.indices();
     let pairs = elevations.iter().flat_map(|el| azimuths.iter().map(move |az| (*el, *az)));
     for (number, (elevation_rad, azimuth_rad)) in pairs.enumerate() {
-        let piece = Piece { pass: 0, aspect: number as u32 };
-        let kept = checkpoint.kept(piece).and_then(|bytes| from_bytes(bytes, request.frequency_hz.len()));
+        let piece = CheckpointKey { pass: 0, aspect: number as u32 };
+        let kept = checkpoint.load(piece).and_then(|bytes| from_bytes(bytes, request.frequency_hz.len()));
         let values = match kept {
             Some(values) => values,
             None => {
                 let aspect = aspect(request, elevation_rad, azimuth_rad);
                 let amplitudes = amplitudes(arguments, mesh, request, &aspect).map_err(Failure::refused)?;
                 let values: Vec<Complex64> = amplitudes.iter().map(|a| a[receive][transmit]).collect();
-                checkpoint.keep(piece, &to_bytes(&values));
+                checkpoint.store(piece, &to_bytes(&values));
                 values
             }
         };
@@ -94,7 +94,7 @@ fn amplitudes(
     };
     match arguments.method {
         MethodWord::Sbr => {
-            let shooting = sbr::Shooting { per_wavelength, bounces: request.bounces, sides, bracket };
+            let shooting = sbr::RaySettings { per_wavelength, bounces: request.bounces, sides, bracket };
             let by_order = sbr::amplitude(mesh, aspect, &request.frequency_hz, &shooting)?;
             Ok(summed(&by_order.orders, request.frequency_hz.len()))
         }

@@ -4,7 +4,7 @@
 //! Frequencies Δf apart repeat every c/2Δf in range, azimuths Δφ apart every λ/2Δφ across it (λ/Δφ with a
 //! fixed receiver): a longer or wider body overlaps with itself.
 
-use crate::program::commands::rcs::aspect_geometry::Look;
+use crate::program::commands::rcs::aspect_geometry::AspectGeometry;
 use artifact::scene::Mesh;
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use bart_rcs::RcsRequest;
@@ -47,7 +47,7 @@ impl Samplings {
             range: sampling(request.frequency_hz.len(), SPEED_OF_LIGHT_MPS / (2.0 * band_hz), range_m),
             cross_range: sampling(
                 request.azimuth_rad.len(),
-                wavelength_m / (Look::of(request, 0.0).moving() * span_rad),
+                wavelength_m / (AspectGeometry::of(request, 0.0).moving() * span_rad),
                 cross_m,
             ),
         }
@@ -95,7 +95,7 @@ const LOOKS: usize = 181;
 fn extents(mesh: &Mesh, request: &RcsRequest) -> [f64; 2] {
     let every = request.azimuth_rad.len().div_ceil(LOOKS).max(1);
     let looks = request.azimuth_rad.iter().step_by(every).chain(request.azimuth_rad.last());
-    let extents = looks.map(|azimuth_rad| Look::of(request, *azimuth_rad).extent(mesh));
+    let extents = looks.map(|azimuth_rad| AspectGeometry::of(request, *azimuth_rad).extent(mesh));
     let wider = |widest: f64, [low, high]: [f64; 2]| widest.max(high - low);
     extents.fold([0.0; 2], |[range_m, across_m], extent| {
         [wider(range_m, extent.range_m), wider(across_m, extent.across_m)]
@@ -155,7 +155,7 @@ mod tests {
 
     #[test]
     fn a_body_ahead_of_its_origin_is_nearer() {
-        let extent = Look::of(&request_of(&[77e9], &[0.0]), 0.0).extent(&body());
+        let extent = AspectGeometry::of(&request_of(&[77e9], &[0.0]), 0.0).extent(&body());
         assert!((extent.range_m[0] + 12.0).abs() < 1e-12 && (extent.range_m[1] + 8.0).abs() < 1e-12);
     }
 }

@@ -24,7 +24,7 @@ pub(super) fn png(mesh: &Mesh, half_width_m: f64) -> Result<Vec<u8>, Failure> {
         [255, 255, 255, opacity]
     };
     let pixels: Vec<u8> = (0..SIDE * SIDE).flat_map(pixel).collect();
-    raster::encode(Pixels::Rgba, [SIDE, SIDE], &pixels).map_err(Failure::refused)
+    raster::encode_png(Pixels::Rgba, [SIDE, SIDE], &pixels).map_err(Failure::refused)
 }
 
 /// Pixels whose centre is in a triangle, or that an edge of one crosses.

@@ -70,7 +70,7 @@ impl Levels {
     }
 
     /// Mean and standard deviation in dB of a car's levels minus the published ones at the same aspects.
-    pub(super) fn beside_published(&self, elevation: usize) -> [f64; 2] {
+    pub(super) fn difference_from_published(&self, elevation: usize) -> [f64; 2] {
         let less = |[az, dbsm]: &[f64; 2]| dbsm - published_dbsm(*az, ELEVATIONS_DEG[elevation]);
         let apart: Vec<f64> = self.level_dbsm[elevation].iter().map(less).collect();
         let middle = mean(&apart);

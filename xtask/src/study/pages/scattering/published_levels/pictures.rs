@@ -32,5 +32,5 @@ fn published_line() -> Vec<[f64; 2]> {
 fn write(file: &str, title: &str, mut lines: Vec<(String, Vec<[f64; 2]>)>) -> Result<(), Failure> {
     lines.iter_mut().for_each(|(_, points)| points.extend(points.first().copied()));
     let plot = PolarPlot { title: title.to_owned(), unit: "dBsm".to_owned(), lines };
-    files::write_file(&project_root().join("docs/pictures").join(file), plot.draw().text().as_bytes())
+    files::write_file(&project_root().join("docs/pictures").join(file), plot.draw().standalone().as_bytes())
 }

@@ -5,12 +5,12 @@ use super::super::frames::at;
 use super::super::roads::lift;
 use super::levels::mean;
 use crate::study::extent::Extent;
-use crate::study::pages::part::Part;
+use crate::study::pages::page_section::PageSection;
 use artifact::Accuracy;
 use artifact::material::{Material, Road};
 use artifact::scene::{Mesh, Pose, SceneHeader};
 use artifact::units::db_from_power;
-use bart_rcs::{FrameSurroundings, Tracer};
+use bart_rcs::{FrameContext, Tracer};
 use glam::DVec3;
 use num_complex::Complex64;
 use wayside::host::failure::Failure;
@@ -21,7 +21,7 @@ const CARS: [&str; 5] = ["car-suv", "car-sedan", "gazebo_prius", "modern_hatchba
 const ASPECTS: u32 = 24;
 
 /// Adds the table of the road's effect on a car's levels.
-pub(super) fn added(part: &mut Part, extent: Extent) -> Result<(), Failure> {
+pub(super) fn added(part: &mut PageSection, extent: Extent) -> Result<(), Failure> {
     part.head(&["car", "mean of dBsm alone", "on a road of asphalt", "the road adds, dB"]);
     let (cars, aspects) = match extent {
         Extent::Quick => (1, 2),
@@ -64,7 +64,7 @@ fn levels_dbsm(mesh: &Mesh, aspect: u32) -> Result<[f64; 2], Failure> {
 fn level_dbsm(header: &SceneHeader, pose: &Pose) -> Result<f64, Failure> {
     let tracer = Tracer::new(header).map_err(Failure::refused)?;
     let frame = scene::snapshot(header, 0);
-    let paths = tracer.all_paths(header, &frame, &FrameSurroundings::ALONE).map_err(Failure::refused)?;
+    let paths = tracer.all_paths(header, &frame, &FrameContext::ALONE).map_err(Failure::refused)?;
     let waveform = &header.radar.waveform;
     let (radar_m, middle_s) = (DVec3::from(header.radar.position_m), header.radar.frame_middle_s());
     let power = |i: u32| {

@@ -1,0 +1,86 @@
+//! Answers to sightings, by frame and joined by track, with their metrics.
+
+use crate::crops::network::Logits;
+use crate::crops::samples::Example;
+use crate::ensembles::vehicles::{Sighting, TrackKey};
+use crate::evaluation::by_vehicle::{ByVehicle, ClassPrediction, by_vehicle};
+use crate::evaluation::metrics::{Evaluation, evaluation, log_softmax};
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// Metrics of answers.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ClassificationMetrics {
+    /// Mean over classes, with its spread over vehicles.
+    pub by_vehicle: ByVehicle,
+    /// Confusion, log loss, calibration.
+    pub evaluation: Evaluation,
+}
+
+/// The correlation of frames with the best answers for tracks, in steps of a twentieth.
+pub(crate) fn fitted_correlation(seen: &[&Sighting], logits: &[Logits]) -> f64 {
+    let tracks = tracks(seen, logits);
+    let loss = |correlation: f64| -> f64 {
+        tracks.iter().map(|t| -log_softmax(t.joined(correlation).map(f64::from))[t.class]).sum()
+    };
+    let steps = (0..=20).map(|i| f64::from(i) / 20.0);
+    steps.min_by(|a, b| loss(*a).total_cmp(&loss(*b))).unwrap_or(1.0)
+}
+
+/// Combined answers of the frames of one track.
+struct Track<'a> {
+    class: usize,
+    model: &'a str,
+    log_sums: [f64; 4],
+    frames: f64,
+}
+
+impl Track<'_> {
+    /// Combined answer: n frames of correlation ρ count as n/(1 + (n − 1)ρ).
+    fn joined(&self, correlation: f64) -> Logits {
+        self.log_sums.map(|sum| (sum / (1.0 + (self.frames - 1.0) * correlation)) as f32)
+    }
+}
+
+fn tracks<'a>(seen: &[&'a Sighting], logits: &[Logits]) -> Vec<Track<'a>> {
+    let mut tracks: BTreeMap<TrackKey, Track<'a>> = BTreeMap::new();
+    for (seen, logits) in seen.iter().zip(logits) {
+        let new = Track { class: seen.class, model: &seen.model, log_sums: [0.0; 4], frames: 0.0 };
+        let track = tracks.entry(seen.track).or_insert(new);
+        let logs = log_softmax(logits.map(f64::from));
+        track.log_sums.iter_mut().zip(logs).for_each(|(sum, log)| *sum += log);
+        track.frames += 1.0;
+    }
+    tracks.into_values().collect()
+}
+
+/// Class and combined answer of each track.
+pub fn track_logits(seen: &[&Sighting], logits: &[Logits], correlation: f64) -> Vec<(usize, Logits)> {
+    tracks(seen, logits).iter().map(|track| (track.class, track.joined(correlation))).collect()
+}
+
+/// Metrics by frame, and by track.
+pub fn metrics_by_frame_and_track(
+    seen: &[&Sighting],
+    logits: &[Logits],
+    correlation: f64,
+) -> [ClassificationMetrics; 2] {
+    let frames: Vec<(usize, &str)> = seen.iter().map(|s| (s.class, s.model.as_str())).collect();
+    let tracks = tracks(seen, logits);
+    let of_tracks: Vec<(usize, &str)> = tracks.iter().map(|t| (t.class, t.model)).collect();
+    let joined: Vec<Logits> = tracks.iter().map(|t| t.joined(correlation)).collect();
+    [classification_metrics(&frames, logits), classification_metrics(&of_tracks, &joined)]
+}
+
+fn classification_metrics(answers: &[(usize, &str)], logits: &[Logits]) -> ClassificationMetrics {
+    let likeliest = |l: &Logits| (0..4).fold(0, |best, i| if l[i] > l[best] { i } else { best });
+    let predictions = answers.iter().zip(logits).map(|((truth, model), l)| ClassPrediction {
+        truth: *truth,
+        model,
+        predicted: likeliest(l),
+    });
+    let example =
+        |(class, model): &(usize, &str)| Example { pooled: vec![], class: *class, model: (*model).into() };
+    let examples: Vec<Example> = answers.iter().map(example).collect();
+    ClassificationMetrics { by_vehicle: by_vehicle(predictions), evaluation: evaluation(&examples, logits) }
+}
