@@ -13,7 +13,7 @@ use crate::frame::path_plan::Plan;
 use crate::frame::path_sum::{PathView, element_over_band};
 use crate::joins::join::tree_order;
 use crate::joins::scatterer::{Integration, Scatterer, bracket_of};
-use crate::table::aspect::{left_out_order, other};
+use crate::table::aspect_settings::{compared_rule, left_out_order};
 use crate::table::order_joints::{JointSettings, OrderJoints};
 use crate::table::small_mirrors::SmallMirrors;
 use artifact::paths::Path;
@@ -82,7 +82,7 @@ pub(crate) fn reference(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> FrameRefe
     let of = |order: u8, settings: &JointSettings| {
         of_order(scatterer, plan, (order, settings), &wavenumbers, accuracies)
     };
-    let other = JointSettings { nodes: other(fidelity.nodes), ..plan.meetings() };
+    let other = JointSettings { nodes: compared_rule(fidelity.nodes), ..plan.meetings() };
     let reaches = |order: u8| order > 1 && tree_order(order, other.nodes) <= plan.trace.max_order;
     let other_m = (1..=fidelity.bounces).map(|o| reaches(o).then(|| of(o, &other))).collect();
     let alone = JointSettings { nodes: NodeRule::Middle, edges: Edges::Ignored, ..plan.meetings() };

@@ -12,7 +12,9 @@ use crate::joins::scatterer::{Scatterer, ZenithH};
 use crate::run_control::error::BartError;
 use crate::run_control::progress::{NoProgress, Phase, Progress};
 use crate::run_control::work_meter::WorkMeter;
-use crate::table::aspect_settings::{AspectSettings, Check, Checks, Finer, IntegralsCheck};
+use crate::table::aspect_settings::{
+    AspectSettings, Check, Checks, Finer, IntegralsCheck, compared_rule, left_out_order,
+};
 use crate::table::end_tree::EndTree;
 use crate::table::order_joints::{LeftOutEdges, OrderJoints};
 use crate::table::rcs_request::Aspect;
@@ -289,7 +291,7 @@ impl<'a> AspectTrees<'a> {
         chosen: &[OrderContribution],
         settings: &AspectSettings,
     ) -> Result<Vec<Vec<Complex64>>, BartError> {
-        let other = other(settings.nodes);
+        let other = compared_rule(settings.nodes);
         self.grow_to(tree_order(settings.bounces, other))?;
         // A single bounce has one node.
         let mut other_m: Vec<_> = chosen.iter().take(1).map(|order| order.s_m.clone()).collect();
@@ -345,20 +347,6 @@ const FACETS_WITH_CHEAP_EDGES: usize = 2_000;
 const FACETS_WITH_CHEAP_WAVES: usize = 100;
 /// Accuracy of the contribution of edges, which is needed to 10 %.
 const EDGES_LEFT_OUT_ACCURACY: f64 = 0.1;
-
-/// Order after the last requested one, if trees of `tree_orders` contain its middle nodes: after every order
-/// but the first.
-pub(crate) fn left_out_order(bounces: u8, tree_orders: u8) -> Option<u8> {
-    Some(bounces + 1).filter(|order| bounces > 0 && tree_order(*order, NodeRule::Middle) <= tree_orders)
-}
-
-/// Rule with which a run is compared.
-pub(crate) fn other(rule: NodeRule) -> NodeRule {
-    match rule {
-        NodeRule::Middle | NodeRule::OwnEdge => NodeRule::Exit,
-        NodeRule::Exit => NodeRule::Middle,
-    }
-}
 
 /// Meetings of both ends in every order from `from` on.
 fn meetings(
@@ -468,7 +456,7 @@ impl Scattering {
         let other_m = &self.other_m.as_ref()?[order];
         let ends_power = if order == 1 { self.ends_power() } else { 0.0 };
         let difference = |f: usize| self.chosen_m[order][f] - other_m[f];
-        Some(mean_over_frequencies(self.frequencies(), difference) + ends_power)
+        Some(mean_over_frequencies(other_m.len(), difference) + ends_power)
     }
 
     /// Power of the difference between both rules, like [`Self::order_spread_power`], for the sum over all
@@ -479,10 +467,6 @@ impl Scattering {
 
     fn ends_power(&self) -> f64 {
         self.left_out_edges.map_or(0.0, |edges| edges.ends_power)
-    }
-
-    fn frequencies(&self) -> usize {
-        self.chosen_m.first().map_or(0, Vec::len)
     }
 }
 

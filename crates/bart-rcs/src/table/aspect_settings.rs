@@ -4,6 +4,7 @@ use crate::beams::beam::TraceSettings;
 use crate::bodies::stand_off::distance_and_diagonal_m;
 use crate::edges::lit_edge::tree_order_with;
 use crate::joins::affordable_accuracy::{FAR_FINER, affordable_accuracy, are_few_tiles};
+use crate::joins::join::tree_order;
 use crate::joins::scatterer::{Integration, Scatterer, bracket_of};
 use crate::run_control::error::BartError;
 use crate::table::order_joints::{JointSettings, OrderJoints};
@@ -189,4 +190,18 @@ impl IntegralsCheck {
 pub(crate) enum Check {
     Measured,
     Skipped,
+}
+
+/// Order after the last requested one, if trees of `tree_orders` contain its middle nodes: after every order
+/// but the first.
+pub(crate) fn left_out_order(bounces: u8, tree_orders: u8) -> Option<u8> {
+    Some(bounces + 1).filter(|order| bounces > 0 && tree_order(*order, NodeRule::Middle) <= tree_orders)
+}
+
+/// Rule with which a run is compared.
+pub(crate) fn compared_rule(rule: NodeRule) -> NodeRule {
+    match rule {
+        NodeRule::Middle | NodeRule::OwnEdge => NodeRule::Exit,
+        NodeRule::Exit => NodeRule::Middle,
+    }
 }

@@ -252,13 +252,8 @@ mod tests {
             offset_s: 0.0,
         };
         let spread = ElementSpread { gain_db: 1.0, phase_rad: 0.1 };
-        let course = NetworkLane {
-            number: 4,
-            name: "n_in_0".into(),
-            width_m: 3.0,
-            line_m: vec![[1.0, 2.0], [3.0, 4.0]],
-        };
-        header.dsp.road.courses = vec![course];
+        let (name, line_m) = ("n_in_0".into(), vec![[1.0, 2.0], [3.0, 4.0]]);
+        header.dsp.road.courses = vec![NetworkLane { number: 4, name, width_m: 3.0, line_m }];
         header.dsp.calibration = vec![Complex64::new(1.0, 0.1)];
         let phase_noise = vec![PhaseNoise { offset_hz: 1e6, dbc_per_hz: -95.0 }];
         header.radar.hardware = Hardware {

@@ -16,7 +16,7 @@ use crate::frame::snapshot::Snapshot;
 use crate::joins::scatterer::{Integration, Scatterer, bracket_of, meets_several_vehicles};
 use crate::run_control::error::BartError;
 use crate::run_control::progress::{Phase, Progress};
-use crate::table::aspect::other;
+use crate::table::aspect_settings::compared_rule;
 use crate::table::order_joints::{JointSettings, OrderJoints};
 use artifact::Accuracy;
 use artifact::material::Transmission;
@@ -189,7 +189,7 @@ impl<'a> CoarseEcho<'a> {
 
     /// Mean of |S − S|² between the node rules, with orders added by their powers.
     fn node_spread(&self, doubles: &DoubleReflections, by_order: &[Vec<Complex64>]) -> f64 {
-        let nodes = other(NodeRule::OwnEdge);
+        let nodes = compared_rule(NodeRule::OwnEdge);
         let by_other = |order: u8, edges: Edges| {
             let settings = JointSettings { nodes, edges, ..self.plan.meetings() };
             self.sum(&OrderJoints::of(&self.scatterer, order, &settings), nodes)
