@@ -2,6 +2,6 @@
 
 pub(crate) mod student;
 pub(crate) mod interval;
-mod betting_test;
+mod betting_capital;
 pub(crate) mod pairs;
 pub(crate) mod racing;

@@ -1,7 +1,7 @@
 //! Random search for unknown failures: compares methods on random bodies, radars and cubes. A difference
 //! beyond the printed errors and the reference's own is a find, and each find becomes a case of the atlas.
 
-mod differential_test;
+mod differential_testing;
 mod random_bodies;
 mod scattering;
 mod echoes;
@@ -10,11 +10,11 @@ mod tracks;
 
 mod ledger;
 
-pub(super) use differential_test::{DifferentialTest, Tally};
+pub(super) use differential_testing::{DifferentialTest, Tally};
 pub(super) use ledger::{append_rows, rows};
 
 use crate::study::sources::{self, SourcePaths};
-use differential_test::Outcome;
+use differential_testing::Outcome;
 use wayside::host::failure::Failure;
 use wayside::host::processor_time;
 use wayside::program::terminal;

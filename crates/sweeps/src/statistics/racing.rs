@@ -1,6 +1,6 @@
 //! Racing (successive elimination): designs that may still be the best; the others are not repeated further.
 
-use crate::statistics::betting_test::capital;
+use crate::statistics::betting_capital::capital;
 use crate::statistics::interval::{Mean, ValueRange};
 use crate::statistics::pairs::{best, by_mean};
 

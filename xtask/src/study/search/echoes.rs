@@ -2,7 +2,7 @@
 
 use crate::study::rcs_solvers;
 use crate::study::scenes::{cube_of, paths_of, scene_of, with_point};
-use crate::study::search::differential_test::{Outcome, Random, outcome_of};
+use crate::study::search::differential_testing::{Outcome, Random, outcome_of};
 use crate::study::search::random_bodies::within;
 use artifact::Accuracy;
 use artifact::scene::{SceneHeader, TargetKind, Wheel};

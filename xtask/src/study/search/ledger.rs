@@ -1,6 +1,6 @@
 //! The ledger of searches, on their page.
 
-use crate::study::search::differential_test::Tally;
+use crate::study::search::differential_testing::Tally;
 
 const HEADER: &str = "| seed | contest | cases | processor minutes | finds |\n|---|---|---|---|---|\n";
 

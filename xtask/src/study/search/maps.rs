@@ -1,7 +1,7 @@
 //! Maps and detections against their definitions, and points against the truth.
 
 use crate::study::scenes::{cube_header, detect, scene_of, with_point};
-use crate::study::search::differential_test::{Outcome, Random, outcome_of};
+use crate::study::search::differential_testing::{Outcome, Random, outcome_of};
 use crate::study::search::echoes::radar;
 use crate::study::search::random_bodies::within;
 use artifact::ErrorBudget;

@@ -2,7 +2,7 @@
 
 use crate::study::bodies::{self, Face};
 use crate::study::rcs_solvers;
-use crate::study::search::differential_test::Random;
+use crate::study::search::differential_testing::Random;
 use artifact::Accuracy;
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;

@@ -1,7 +1,7 @@
 //! The beam tracer against slow references, and against itself under changes that must not affect the answer.
 
 use crate::study::rcs_solvers;
-use crate::study::search::differential_test::{Outcome, Random, outcome_of};
+use crate::study::search::differential_testing::{Outcome, Random, outcome_of};
 use crate::study::search::random_bodies::{body, box_of, polarization, request, within, words};
 use artifact::material::{Backing, Layer, Material, MeshMaterials, Thickness, Transmission};
 use artifact::scene::Mesh;

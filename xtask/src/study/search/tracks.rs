@@ -1,7 +1,7 @@
 //! The tracker on bodies that drive straight on, each detected with errors of the reported size.
 
 use crate::study::scenes::{cube_header, scene_of};
-use crate::study::search::differential_test::{Outcome, Random};
+use crate::study::search::differential_testing::{Outcome, Random};
 use crate::study::search::random_bodies::within;
 use artifact::points::{Height, Object, PointsFrame};
 use artifact::tracks::{TrackState, TracksFrame};
