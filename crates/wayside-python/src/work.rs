@@ -105,7 +105,7 @@ pub(crate) fn read<T: Send + 'static>(
     has_threads()?;
     let cancellation = Cancellation::default();
     let (sender, mut results) = channel();
-    let (asked, caller) = (cancellation.clone(), Caller::new());
+    let (asked, caller) = (cancellation.clone(), Caller::unique());
     let thread = std::thread::spawn(move || sender.send(caller.during(|| work(&asked))).is_ok());
     let mut told = 0.0;
     let result = loop {

@@ -142,7 +142,7 @@ mod tests {
 
     #[test]
     fn each_caller_hears_of_its_own_work_alone() {
-        let [one, other] = [Caller::new(), Caller::new()];
+        let [one, other] = [Caller::unique(), Caller::unique()];
         let text = |caller| state_for(caller, Instant::now(), Duration::ZERO).map(|state| state.text);
         let at_the_same_time = || {
             let _work = Work::begin("the other's");

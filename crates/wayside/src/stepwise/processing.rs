@@ -210,7 +210,7 @@ mod tests {
 
     #[test]
     fn frames_are_told_of_as_they_are_begun() {
-        let caller = progress::Caller::new();
+        let caller = progress::Caller::unique();
         let share = || progress::state_for(caller, Instant::now(), Duration::ZERO).map(|state| state.share);
         let shares = caller.during(|| each([0; 4].iter(), &Cancellation::default(), |_| Ok(share())));
         assert_eq!(shares.unwrap(), [Some(0.0), Some(0.25), Some(0.5), Some(0.75)]);

@@ -15,7 +15,7 @@ thread_local! {
 
 impl Caller {
     /// A new caller, whose work is separate from that of all others.
-    pub fn new() -> Self {
+    pub fn unique() -> Self {
         Self(CALLERS.fetch_add(1, Ordering::Relaxed))
     }
 
