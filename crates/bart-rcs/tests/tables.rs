@@ -93,9 +93,9 @@ fn a_table_that_goes_on_from_some_of_its_aspects_is_the_same_to_the_bit() {
 #[test]
 fn a_table_that_is_called_off_ends_with_the_aspect_under_way() {
     let (mesh, checkpoint) = (car(6).mesh(), Memory::default());
-    let is_called_off = || checkpoint.made.lock().unwrap().len() >= 2;
+    let is_cancelled = || checkpoint.made.lock().unwrap().len() >= 2;
     let ended = |request: &RcsRequest| {
-        rcs_within(&mesh, request, &kept_by(&checkpoint, CancellationCheck::by(&is_called_off))).err()
+        rcs_within(&mesh, request, &kept_by(&checkpoint, CancellationCheck::by(&is_cancelled))).err()
     };
     // Of one thread one aspect is under way at a time.
     let one_thread = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();

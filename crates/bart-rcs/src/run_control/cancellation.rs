@@ -1,4 +1,4 @@
-//! Ending long work from outside, between two of its parts.
+//! Cancellation of long work from outside, between two of its parts.
 
 use crate::run_control::error::BartError;
 
@@ -12,12 +12,12 @@ impl CancellationCheck<'static> {
 }
 
 impl<'a> CancellationCheck<'a> {
-    /// Work ends once `is_called_off` answers yes, from any thread.
-    pub fn by(is_called_off: &'a (dyn Fn() -> bool + Sync)) -> Self {
-        Self(is_called_off)
+    /// Work ends once `is_cancelled` answers yes, from any thread.
+    pub fn by(is_cancelled: &'a (dyn Fn() -> bool + Sync)) -> Self {
+        Self(is_cancelled)
     }
 
-    /// Refuses to begin a part of work that was called off.
+    /// Refuses to begin a part of cancelled work.
     pub(crate) fn check(self) -> Result<(), BartError> {
         if (self.0)() { Err(BartError::Cancelled) } else { Ok(()) }
     }
