@@ -12,6 +12,7 @@ pub(crate) mod tiling; // subdivision of a polygon
 pub(crate) mod tile_integrals; // integrals of the phase over a tile
 pub(crate) mod lossy_node; // weights with reflection coefficients
 pub(crate) mod physical_optics; // the integral over a lit polygon
-pub(crate) mod critical_points; // the same off its specular: its corners and sides
+pub(crate) mod interpolation; // the same shared among the corners of a grid
+pub(crate) mod critical_points; // the same off its specular: parts near its stationary point and far from it
 #[cfg(test)]
 pub(crate) mod test_quadrature; // quadrature rule for comparison

@@ -4,3 +4,4 @@ pub(crate) mod cell_memory; // how many cells memory has room for
 pub(crate) mod path_cells; // of lit polygons
 pub(crate) mod edge_cells; // of lit edges
 pub(crate) mod critical_cells; // of corners and sides of large polygons, off their specular
+pub(crate) mod grid_nodes; // of their parts about the stationary point

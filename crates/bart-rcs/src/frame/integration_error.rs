@@ -45,6 +45,8 @@ const FIRST: f64 = 2.0;
 const COARSEST: f64 = 0.25;
 /// Maximum number of meetings on a body whose integrals are compared with much finer ones instead.
 const FEW: usize = 64;
+/// Bounds of the finer integrals that those of a few meetings are compared with, relative to theirs.
+const OF_FEW_MEETINGS: f64 = 1.0 / 16.0;
 /// Share of the requested accuracy allotted to integrals; freezing and dropping have the rest, √(1 − 0.7²) =
 /// 0.71.
 const INTEGRATION_SHARE: f64 = 0.7;
@@ -120,6 +122,13 @@ pub(crate) fn of_meeting(
     amplitudes.iter().map(|s| plan.polarization_element(s)).collect()
 }
 
+/// Integrals on a body, by which what they are compared with is chosen.
+enum Tiles {
+    Few,
+    OfFewMeetings,
+    Many,
+}
+
 /// Meetings on which integrals are measured.
 struct MeasuredMeetings<'a> {
     scatterer: &'a Scatterer<'a>,
@@ -176,20 +185,31 @@ impl MeasuredMeetings<'_> {
         mean(&total(bodies.iter().map(|body| body.error.clone()), self.wavenumbers_per_m.len()))
     }
 
-    /// Error of S of the nodes on one body over frequency, summed over orders: from the difference to much
-    /// finer integrals if its meetings are few, else to coarser ones.
+    /// Error of S of the nodes on one body over frequency, summed over orders: from the difference to coarser
+    /// integrals; if its meetings are few, or to finer ones if that is larger; if their tiles are few too, to
+    /// much finer ones.
+    ///
+    /// Tiles of a few large polygons err alike, and where these are off their specular both the sum and the
+    /// difference to coarser ones are left over by chance.
     fn error(
         &self,
         (body, accuracy): (usize, f64),
         own: &[Complex64],
         coarser: impl FnOnce() -> Vec<Complex64>,
     ) -> Vec<Complex64> {
-        let (other, over_difference) = if self.has_few_tiles(body, accuracy) {
-            (self.of_all_orders(body, FAR_FINER * accuracy), 1.0)
-        } else {
-            (coarser(), self.over_difference())
+        let from = |other: Vec<Complex64>, over_difference: f64| -> Vec<Complex64> {
+            own.iter().zip(other).map(|(own, other)| over_difference * (own - other)).collect()
         };
-        own.iter().zip(other).map(|(own, other)| over_difference * (own - other)).collect()
+        let from_finer = |finer: f64| from(self.of_all_orders(body, finer * accuracy), 1.0);
+        match self.tiles_of(body, accuracy) {
+            Tiles::Few => from_finer(FAR_FINER),
+            Tiles::OfFewMeetings => {
+                let by_coarser = from(coarser(), self.over_difference());
+                let by_finer = from_finer(OF_FEW_MEETINGS);
+                if mean(&by_finer) > mean(&by_coarser) { by_finer } else { by_coarser }
+            }
+            Tiles::Many => from(coarser(), self.over_difference()),
+        }
     }
 
     fn over_difference(&self) -> f64 {
@@ -203,14 +223,19 @@ impl MeasuredMeetings<'_> {
         total(self.of_body(body, accuracy).into_iter(), self.wavenumbers_per_m.len())
     }
 
-    /// Whether the meetings on a body are few, with few tiles.
-    fn has_few_tiles(&self, body: usize, accuracy: f64) -> bool {
+    /// Number of meetings on a body and of their tiles.
+    fn tiles_of(&self, body: usize, accuracy: f64) -> Tiles {
         let on_body: Vec<OrderJoints> =
             self.meetings.iter().map(|meeting| meeting.on_body(self.scatterer, body)).collect();
         let bracket = bracket_of(self.plan.header.fidelity.nodes);
         let integration = Integration { wavenumbers_per_m: self.wavenumbers_per_m, accuracy, bracket };
-        on_body.iter().map(OrderJoints::count).sum::<usize>() <= FEW
-            && are_few_tiles(self.scatterer, on_body.iter().map(|meeting| &meeting.facets), &integration)
+        let are_few =
+            || are_few_tiles(self.scatterer, on_body.iter().map(|meeting| &meeting.facets), &integration);
+        match on_body.iter().map(OrderJoints::count).sum::<usize>() {
+            0..=FEW if are_few() => Tiles::Few,
+            0..=FEW => Tiles::OfFewMeetings,
+            _ => Tiles::Many,
+        }
     }
 }
 

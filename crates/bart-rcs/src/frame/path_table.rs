@@ -134,6 +134,7 @@ impl<'a> BodyParts<'a> {
         let settings = CellSettings {
             size_m: cell_m,
             wheel_size_m: wheel_cell_m(self.plan, self.scatterer.world, cell_m),
+            refinement: (cell_m / largest_cell_of_world_m(self.plan, self.scatterer.world)).powi(2).min(1.0),
             velocity_quantum_mps: velocity_quantum_mps(self.plan.header),
             wavenumbers_per_m: &wavenumbers,
             accuracy_of_body,

@@ -1,5 +1,4 @@
-//! The integral over a flat polygon far from where its phase is stationary, as terms of its corners and of
-//! the parts of its sides along which the wave arrives at once.
+//! A flat polygon's part about the point where its phase is stationary, and the parts far from it.
 //!
 //! With L the length, g its gradient along the plane, c = g·t its slope along a side t with the outward
 //! normal ν, integration by parts (the divergence theorem, twice) leaves the critical points of the second
@@ -10,22 +9,22 @@
 //! ∫ w·(g·ν)/|g|² · e^{−jkL} ds = [(j/k) w·(g·ν)/(|g|²c) · e^{−jkL}] + …
 //! ```
 //! h ≥ ‖∇∇L‖ is Σ 1/Lᵢ of the nearest point, and L is convex: what is left out falls with the distance from
-//! the stationary point, so one rectangle about it holds all of the plane where it is more than is allowed,
-//! and one interval all of a side. There the polygon, or the side, is integrated as ever.
+//! the stationary point, so one rectangle about it holds all of the plane where it is more than is allowed.
+//! There the polygon is integrated as ever; the rest are terms of corners and sides
+//! ([`crate::integral::critical_points::terms`]).
 //!
 //! A side off its specular has next to no echo of its own, and that little comes from its corners. As cells,
 //! each with the phase of its middle, it is a difference of thousands of terms that are each stronger than
 //! all of it, and no size of cells follows how it changes in a frame; as corners it is a few terms whose
 //! phases are exact.
 
+pub(crate) mod terms; // terms of the corners and sides of far parts
+
 use crate::geometry::antenna::Antenna;
 use crate::geometry::convex_intersection::left_of;
 use crate::geometry::plane_frame::{area_m2, centroid_m};
 use crate::integral::field::Field;
-use crate::integral::node::Estimate;
-use artifact::paths::Amplitude;
-use glam::{DVec2, DVec3};
-use num_complex::Complex64;
+use glam::DVec2;
 
 /// A polygon's parts about the point where its phase is stationary and far from it, all convex.
 #[derive(Debug, Default)]
@@ -37,36 +36,24 @@ pub(crate) struct SplitPolygon {
 /// A part that is told by terms of its corners and sides.
 #[derive(Debug)]
 pub(crate) struct FarPolygon {
-    corners_m: Vec<DVec2>,
-    variation: Variation,
-}
-
-/// A term of a far part.
-#[derive(Debug)]
-pub(crate) struct CriticalPoint {
-    /// Its node: a corner, or the middle of a piece of a side.
-    pub(crate) at_m: DVec3,
-    /// Length of the side that it stands for; zero of a corner.
-    pub(crate) length_m: f64,
-    pub(crate) amplitudes: Estimate<Vec<Amplitude>>,
+    pub(super) corners_m: Vec<DVec2>,
+    pub(super) variation: Variation,
 }
 
 /// Bounds of what varies over a polygon, and of what may be left out.
 #[derive(Debug)]
-struct Variation {
+pub(super) struct Variation {
     /// Bound h of the second derivatives of the length, 1/m.
     second_per_m: f64,
     /// Bound of the weight's relative derivative, 1/m.
     weight_per_m: f64,
     wavenumber_per_m: f64,
     /// Share of a term that may be left out beside it.
-    allowed: f64,
+    pub(super) allowed: f64,
 }
 
 /// Largest share of a term that is left out beside it, however coarse an integral may be.
-const COARSEST: f64 = 0.01;
-/// Second derivatives that a slope along a side may be divided by, of the side's own term and of its weight.
-const ALONG_SIDE: f64 = 4.0;
+pub(crate) const COARSEST: f64 = 0.01;
 
 impl Variation {
     /// `None` where an antenna is straight above, where polarizations turn without limit.
@@ -89,14 +76,14 @@ impl Variation {
     }
 
     /// Least gradient g with (n·h/g² + w/g)/k as small as is allowed.
-    fn least_gradient(&self, seconds: f64) -> f64 {
+    pub(super) fn least_gradient(&self, seconds: f64) -> f64 {
         let scale = self.wavenumber_per_m * self.allowed;
         let root = (self.weight_per_m.powi(2) + 4.0 * seconds * self.second_per_m * scale).sqrt();
         0.5 * (self.weight_per_m + root) / scale
     }
 
     /// Longest piece of a side over which the phase is as good as linear: kh·l²/8 is the error.
-    fn longest_m(&self) -> f64 {
+    pub(super) fn longest_m(&self) -> f64 {
         (8.0 * self.allowed / (self.wavenumber_per_m * self.second_per_m)).sqrt()
     }
 }
@@ -112,7 +99,7 @@ fn heights_m(field: &Field<'_>) -> Option<[f64; 2]> {
 }
 
 impl Field<'_> {
-    fn gradient_at(&self, plane_m: DVec2) -> DVec2 {
+    pub(super) fn gradient_at(&self, plane_m: DVec2) -> DVec2 {
         self.length_gradient(&self.surface_at(plane_m))
     }
 
@@ -175,161 +162,9 @@ impl Field<'_> {
     pub(crate) fn count_split(&self, corners_m: &[DVec2], size_m: f64, wavenumber_per_m: f64) -> f64 {
         let SplitPolygon { near, far } = self.split_about_stationary_point(corners_m, wavenumber_per_m);
         let of_near = |polygon: &Vec<DVec2>| (area_m2(polygon) / (size_m * size_m)).max(1.0);
-        let of_far = |FarPolygon { corners_m, variation }: &FarPolygon| {
-            let of_side = |side: PolygonSide| {
-                let [from, to] = self.slow_span_m(&side, variation);
-                ((to - from) / size_m).ceil()
-            };
-            corners_m.len() as f64 + sides(corners_m).map(of_side).sum::<f64>()
-        };
-        near.iter().map(of_near).sum::<f64>() + far.iter().map(of_far).sum::<f64>()
+        near.iter().map(of_near).sum::<f64>()
+            + far.iter().map(|far| self.count_terms(far, size_m)).sum::<f64>()
     }
-
-    /// Calls `give` with the terms of a far part; pieces of sides are no longer than `size_m`.
-    pub(crate) fn for_each_critical_part(
-        &self,
-        FarPolygon { corners_m, variation }: &FarPolygon,
-        size_m: f64,
-        wavenumbers_per_m: &[f64],
-        give: &mut dyn FnMut(CriticalPoint),
-    ) {
-        let mut of_corners = vec![0.0; corners_m.len()];
-        for (index, side) in sides(corners_m).enumerate() {
-            let span_m = self.slow_span_m(&side, variation);
-            let next = (index + 1) % corners_m.len();
-            self.add_ends(&side, span_m, [index, next], &mut of_corners, &mut |at_m, term| {
-                give(self.corner(at_m, term, wavenumbers_per_m, variation.allowed));
-            });
-            let count = ((span_m[1] - span_m[0]) / size_m).ceil() as u32;
-            let place = |i: u32| span_m[0] + (span_m[1] - span_m[0]) * f64::from(i) / f64::from(count);
-            for i in 0..count {
-                give(self.piece(&side, [place(i), place(i + 1)], wavenumbers_per_m, variation));
-            }
-        }
-        for (corner_m, term) in corners_m.iter().zip(of_corners).filter(|(_, term)| *term != 0.0) {
-            give(self.corner(*corner_m, term, wavenumbers_per_m, variation.allowed));
-        }
-    }
-
-    /// Terms at the ends of a side's steep parts, without 1/k²: to its corners' sums, or, where a steep part
-    /// ends on the side, to `give`.
-    fn add_ends(
-        &self,
-        side: &PolygonSide,
-        [from_m, to_m]: [f64; 2],
-        corners: [usize; 2],
-        of_corners: &mut [f64],
-        give: &mut dyn FnMut(DVec2, f64),
-    ) {
-        if from_m >= to_m {
-            of_corners[corners[0]] += self.end_term(side, 0.0);
-            of_corners[corners[1]] -= self.end_term(side, side.length_m);
-            return;
-        }
-        if from_m > 0.0 {
-            of_corners[corners[0]] += self.end_term(side, 0.0);
-            give(side.at(from_m), -self.end_term(side, from_m));
-        }
-        if to_m < side.length_m {
-            give(side.at(to_m), self.end_term(side, to_m));
-            of_corners[corners[1]] -= self.end_term(side, side.length_m);
-        }
-    }
-
-    /// Term (g·ν)/(|g|²c) of a point of a side.
-    fn end_term(&self, side: &PolygonSide, at_m: f64) -> f64 {
-        let gradient = self.gradient_at(side.at(at_m));
-        gradient.dot(side.outward()) / (gradient.length_squared() * gradient.dot(side.along))
-    }
-
-    /// Interval of a side where its slope is less than it has to be; empty where there is none.
-    fn slow_span_m(&self, side: &PolygonSide, variation: &Variation) -> [f64; 2] {
-        let least = variation.least_gradient(ALONG_SIDE);
-        let slope = |at_m: f64| self.gradient_at(side.at(at_m)).dot(side.along);
-        let [first, last] = [slope(0.0), slope(side.length_m)];
-        if first >= least || last <= -least {
-            return [0.0; 2];
-        }
-        let from_m = if first > -least { 0.0 } else { root_m(side, |at_m| slope(at_m) + least) };
-        let to_m = if last < least { side.length_m } else { root_m(side, |at_m| slope(at_m) - least) };
-        [from_m, to_m]
-    }
-
-    fn corner(&self, at_m: DVec2, term: f64, wavenumbers_per_m: &[f64], allowed: f64) -> CriticalPoint {
-        let integrals_m2: Vec<[Complex64; 2]> =
-            wavenumbers_per_m.iter().map(|k| [Complex64::from(0.5 * term / (k * k)); 2]).collect();
-        self.critical_part(at_m, 0.0, [at_m; 2], wavenumbers_per_m, &integrals_m2, allowed)
-    }
-
-    /// Term of a piece of a side: over its parts the phase is linear, and so is what it is weighed with.
-    fn piece(
-        &self,
-        side: &PolygonSide,
-        [from_m, to_m]: [f64; 2],
-        wavenumbers_per_m: &[f64],
-        variation: &Variation,
-    ) -> CriticalPoint {
-        let (length_m, middle_m) = (to_m - from_m, side.at(0.5 * (from_m + to_m)));
-        let at_middle_m = self.length_m(self.frame.to_world(middle_m));
-        let count = (length_m / variation.longest_m()).ceil().max(1.0);
-        let half_m = 0.5 * length_m / count;
-        let flux = |at_m: f64| {
-            let gradient = self.gradient_at(side.at(at_m));
-            gradient.dot(side.outward()) / gradient.length_squared()
-        };
-        // Weights go from those at the one end to those at the other.
-        let mut integrals_m2 = vec![[Complex64::ZERO; 2]; wavenumbers_per_m.len()];
-        for i in 0..count as u32 {
-            let at_m = from_m + f64::from(2 * i + 1) * half_m;
-            let [first, last] = [at_m - half_m, at_m + half_m].map(flux);
-            let share = (at_m - from_m) / length_m;
-            let (mean, slope) = (0.5 * (first + last), 0.5 * (last - first) / half_m);
-            let ends = [
-                [mean * (1.0 - share), slope * (1.0 - share) - mean / length_m],
-                [mean * share, slope * share + mean / length_m],
-            ];
-            let further_m = self.length_m(self.frame.to_world(side.at(at_m))) - at_middle_m;
-            let half_turn_m = half_m * self.gradient_at(side.at(at_m)).dot(side.along);
-            for (sums, k) in integrals_m2.iter_mut().zip(wavenumbers_per_m) {
-                let turn = Complex64::i() / k * Complex64::cis(-k * further_m);
-                for (sum, weight) in sums.iter_mut().zip(ends) {
-                    *sum += turn * linear_m(weight, half_m, k * half_turn_m);
-                }
-            }
-        }
-        let points = [side.at(from_m), side.at(to_m)];
-        self.critical_part(middle_m, length_m, points, wavenumbers_per_m, &integrals_m2, variation.allowed)
-    }
-
-    /// Part with its node at `at_m`, of integrals that are weighed as at two points.
-    fn critical_part(
-        &self,
-        at_m: DVec2,
-        length_m: f64,
-        points_m: [DVec2; 2],
-        wavenumbers_per_m: &[f64],
-        integrals_m2: &[[Complex64; 2]],
-        allowed: f64,
-    ) -> CriticalPoint {
-        let at_m = self.frame.to_world(at_m);
-        let of_node = Field::new(self.node, at_m, self.accuracy);
-        let points = points_m.map(|point_m| of_node.surface_about(self.frame.to_world(point_m)));
-        let value = of_node.amplitudes_of(&points, wavenumbers_per_m, integrals_m2);
-        let largest = value.iter().flatten().flatten().map(|a| a.norm()).fold(0.0, f64::max);
-        CriticalPoint { at_m, length_m, amplitudes: Estimate { value, error: allowed * largest } }
-    }
-}
-
-/// Integral of (w₀ + w₁s)·e^{−jus/a} over s from −a to a.
-fn linear_m([middle, slope]: [f64; 2], half_m: f64, half_turn: f64) -> Complex64 {
-    // (sin u/u − cos u)/u = u/3 − u³/30 + …
-    let (even, odd) = if half_turn.abs() < 1e-3 {
-        (1.0 - half_turn * half_turn / 6.0, half_turn / 3.0)
-    } else {
-        let (sin, cos) = half_turn.sin_cos();
-        (sin / half_turn, (sin / half_turn - cos) / half_turn)
-    };
-    2.0 * half_m * Complex64::new(middle * even, -half_m * slope * odd)
 }
 
 /// Corners without those that lie on the one before.
@@ -342,41 +177,8 @@ fn distinct(corners_m: &[DVec2]) -> Vec<DVec2> {
     corners_m
 }
 
-/// A side of a polygon in its plane.
-struct PolygonSide {
-    start_m: DVec2,
-    along: DVec2,
-    length_m: f64,
-}
-
-impl PolygonSide {
-    fn at(&self, at_m: f64) -> DVec2 {
-        self.start_m + at_m * self.along
-    }
-
-    fn outward(&self) -> DVec2 {
-        -self.along.perp()
-    }
-}
-
-fn sides(corners_m: &[DVec2]) -> impl Iterator<Item = PolygonSide> {
-    let ends = corners_m.iter().copied().zip(corners_m.iter().copied().cycle().skip(1));
-    let of = |(start_m, end_m): (DVec2, DVec2)| {
-        let length_m = start_m.distance(end_m);
-        PolygonSide { start_m, along: (end_m - start_m) / length_m, length_m }
-    };
-    ends.map(of)
-}
-
-/// Place on a side where a function that grows along it is zero.
-fn root_m(side: &PolygonSide, of: impl Fn(f64) -> f64) -> f64 {
-    const HALVINGS: u32 = 40;
-    let [low, high] = halved([0.0, side.length_m], HALVINGS, |at_m| of(at_m) > 0.0);
-    0.5 * (low + high)
-}
-
 /// A span halved so often about the place from which on something holds.
-fn halved(span: [f64; 2], halvings: u32, holds: impl Fn(f64) -> bool) -> [f64; 2] {
+pub(super) fn halved(span: [f64; 2], halvings: u32, holds: impl Fn(f64) -> bool) -> [f64; 2] {
     (0..halvings).fold(span, |[low, high], _| {
         let middle = 0.5 * (low + high);
         if holds(middle) { [low, middle] } else { [middle, high] }
@@ -404,6 +206,8 @@ mod tests {
     use crate::integral::node::{Bracket, Leg, Node};
     use crate::integral::polarization::Mirrors;
     use crate::integral::test_quadrature::gauss_legendre;
+    use glam::DVec3;
+    use num_complex::Complex64;
 
     const WAVENUMBER_PER_M: f64 = std::f64::consts::TAU * 77e9 / artifact::units::SPEED_OF_LIGHT_MPS;
 
@@ -455,7 +259,7 @@ mod tests {
                 let (mut terms, mut strongest) = (0, 0.0_f64);
                 let mut sum = Complex64::ZERO;
                 for far in &parted.far {
-                    field.for_each_critical_part(far, 0.02, &[WAVENUMBER_PER_M], &mut |part| {
+                    field.for_each_term(far, 0.02, &[WAVENUMBER_PER_M], &mut |part| {
                         terms += 1;
                         let turn = Complex64::cis(-WAVENUMBER_PER_M * field.length_m(part.at_m));
                         let spread: f64 = field.spread(part.at_m).iter().product();
@@ -528,7 +332,8 @@ mod tests {
     #[test]
     fn a_polygon_far_from_its_specular_is_its_four_corners() {
         let sums = CASES[0].seen_from_afar(10.0).by_parts(1e-2);
-        assert_eq!((sums.terms, sums.near), (4, 0));
+        // Two terms a corner.
+        assert_eq!((sums.terms, sums.near), (8, 0));
     }
 
     #[test]

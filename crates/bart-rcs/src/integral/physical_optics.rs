@@ -36,7 +36,12 @@ pub(crate) fn node_amplitudes(
         field.add(tile, wavenumbers_per_m, &mut sums);
     });
     let value = sums.iter().zip(wavenumbers_per_m).map(|(sum, k)| amplitude_of(sum, *k)).collect();
-    Estimate { value, error: error_m2 * highest / std::f64::consts::PI.sqrt() }
+    Estimate { value, error: largest_amplitude(error_m2, highest) }
+}
+
+/// Largest amplitude, √(4π)·area/λ, that an area can have.
+pub(crate) fn largest_amplitude(area_m2: f64, wavenumber_per_m: f64) -> f64 {
+    area_m2 * wavenumber_per_m / std::f64::consts::PI.sqrt()
 }
 
 /// Calls `give` with the tiles of a node as used by [`node_amplitudes`], each with an error bound for

@@ -2,7 +2,7 @@
 
 use crate::geometry::convex_intersection::bounds;
 use crate::geometry::plane_frame::PlaneFrame;
-use crate::integral::critical_points::CriticalPoint;
+use crate::integral::critical_points::terms::CriticalPoint;
 use crate::joins::joint::Joint;
 use crate::joins::scatterer::{Integration, PolygonPart, Scatterer};
 use glam::{DVec2, DVec3};
@@ -21,11 +21,12 @@ pub(crate) fn is_large(extent_m: DVec2, size_m: f64) -> bool {
     (extent_m / size_m).ceil().max(DVec2::ONE).element_product() > many
 }
 
-/// A polygon in parts of its plane, each to be cut into cells, and terms of what is not among them.
-pub(crate) struct SplitJoint {
-    pub(crate) frame: PlaneFrame,
-    pub(crate) near_m: Vec<Vec<DVec2>>,
-    pub(crate) terms: Vec<CriticalPoint>,
+/// A polygon in its plane, as cells take it.
+pub(crate) enum SplitJoint {
+    /// To be cut into cells.
+    Small(PlaneFrame, Vec<DVec2>),
+    /// Parts to be shared among the corners of a grid, and terms of what is not among them.
+    Large(PlaneFrame, Vec<Vec<DVec2>>, Vec<CriticalPoint>),
 }
 
 /// A joint's polygon as cells of `size_m` take it; amplitudes of the terms have the joint's weight.
@@ -40,7 +41,7 @@ pub(crate) fn split_joint(
     let polygon: Vec<DVec2> = corners_m.iter().map(|c| frame.plane_from_world(*c)).collect();
     let [low, high] = bounds(&polygon);
     if !is_large(high - low, size_m) {
-        return SplitJoint { frame, near_m: vec![polygon], terms: vec![] };
+        return SplitJoint::Small(frame, polygon);
     }
     let Integration { wavenumbers_per_m, accuracy, bracket } = *request;
     let part = PolygonPart { corners_m, reference_m: corners_m[0], bracket };
@@ -49,11 +50,11 @@ pub(crate) fn split_joint(
         let parted =
             field.split_about_stationary_point(&polygon, wavenumbers_per_m[wavenumbers_per_m.len() / 2]);
         for far in &parted.far {
-            field.for_each_critical_part(far, size_m, wavenumbers_per_m, &mut |term| terms.push(term));
+            field.for_each_term(far, size_m, wavenumbers_per_m, &mut |term| terms.push(term));
         }
         parted.near
     });
     let amplitudes = terms.iter_mut().map(|term| &mut term.amplitudes);
     amplitudes.for_each(|estimate| Scatterer::weigh(joint, wavenumbers_per_m, estimate));
-    SplitJoint { frame, near_m, terms }
+    SplitJoint::Large(frame, near_m, terms)
 }

@@ -11,7 +11,8 @@ use crate::frame::cells::critical_cells::{SplitJoint, split_joint};
 use crate::geometry::antenna::Antenna;
 use crate::geometry::convex_intersection::{bounds, left_of};
 use crate::geometry::plane_frame::{PlaneFrame, area_m2, centroid_m};
-use crate::integral::critical_points::CriticalPoint;
+use crate::integral::critical_points::COARSEST;
+use crate::integral::critical_points::terms::CriticalPoint;
 use crate::integral::field::length_difference_m;
 use crate::integral::node::{Bracket, Estimate};
 use crate::joins::joint::{Joint, Joints, Reverse};
@@ -44,8 +45,8 @@ pub(crate) struct Cell {
 pub(crate) enum CellKind {
     /// A part of an area, or a diffracting edge.
     PolygonPart,
-    /// A term of a large polygon's corners and sides.
-    Critical,
+    /// A term of a large polygon, or a node of its grid: gathered with others at the same point alone.
+    FixedNode,
 }
 
 /// Bytes of a cell with its amplitudes at three frequencies where it is made, in a list that has grown to
@@ -59,6 +60,8 @@ pub(crate) struct CellSettings<'a> {
     pub(crate) size_m: f64,
     /// Size of cells on wheels that turn, and of ways that meet one.
     pub(crate) wheel_size_m: f64,
+    /// Accuracy of large polygons, relative to that of cells of the largest size: both are refined together.
+    pub(crate) refinement: f64,
     /// Apparent points whose velocities differ by less may share a cell.
     pub(crate) velocity_quantum_mps: f64,
     pub(crate) wavenumbers_per_m: &'a [f64],
@@ -116,12 +119,16 @@ fn cells_of(
     let accuracy = settings.accuracy_of_body[scatterer.node_body(joint.forward)];
     let side_m = settings.side_m(scatterer.world, &facets);
     let CellSettings { wavenumbers_per_m, bracket, .. } = *settings;
-    let request = Integration { wavenumbers_per_m, accuracy, bracket };
-    let SplitJoint { frame, near_m, terms } = split_joint(scatterer, joint, corners_m, side_m, &request);
+    let of_large = settings.refinement * (OF_TERMS * accuracy).min(COARSEST);
+    let request = Integration { wavenumbers_per_m, accuracy: of_large, bracket };
     let of_joint = CellsOfJoint { scatterer, joint, facets, settings, side_m, accuracy };
-    let mut cells: Vec<Cell> =
-        near_m.into_iter().flat_map(|part_m| of_joint.squares(&frame, part_m)).collect();
-    cells.extend(terms.into_iter().map_while(|term| of_joint.term(term)));
+    let mut cells = match split_joint(scatterer, joint, corners_m, side_m, &request) {
+        SplitJoint::Small(frame, polygon_m) => of_joint.squares(&frame, polygon_m),
+        SplitJoint::Large(frame, near_m, terms) => {
+            let near = near_m.iter().flat_map(|part_m| of_joint.grid_nodes(frame, part_m));
+            near.chain(terms.into_iter().map_while(|term| of_joint.term(term))).collect()
+        }
+    };
     if joint.reverse == Reverse::Included {
         let back: Vec<Cell> = cells.iter().map(reversed).collect();
         cells.extend(back);
@@ -129,14 +136,17 @@ fn cells_of(
     cells
 }
 
+/// Accuracy of the terms of large polygons relative to that of integrals: of several corners less may be left
+/// than any of them.
+const OF_TERMS: f64 = 0.2;
 /// Cells of a joint, as long as there is room for them.
-struct CellsOfJoint<'a> {
-    scatterer: &'a Scatterer<'a>,
-    joint: &'a Joint,
+pub(super) struct CellsOfJoint<'a> {
+    pub(super) scatterer: &'a Scatterer<'a>,
+    pub(super) joint: &'a Joint,
     facets: Vec<Facet>,
-    settings: &'a CellSettings<'a>,
-    side_m: f64,
-    accuracy: f64,
+    pub(super) settings: &'a CellSettings<'a>,
+    pub(super) side_m: f64,
+    pub(super) accuracy: f64,
 }
 
 impl CellsOfJoint<'_> {
@@ -150,20 +160,26 @@ impl CellsOfJoint<'_> {
             self.cell(CellKind::PolygonPart, reference_m, area_m2(&piece), estimate)
         };
         let squares = cut_into_squares(polygon_m, self.side_m);
-        squares.into_iter().map_while(|piece| self.has_room().then(|| square(piece))).collect()
+        squares.into_iter().map_while(|piece| self.has_room_for(1).then(|| square(piece))).collect()
     }
 
     fn term(&self, CriticalPoint { at_m, length_m, amplitudes }: CriticalPoint) -> Option<Cell> {
         let corner_m = 1.0 / highest_per_m(self.settings);
         let area_m2 = as_area_m2(length_m + corner_m, self.settings);
-        self.has_room().then(|| self.cell(CellKind::Critical, at_m, area_m2, amplitudes))
+        self.has_room_for(1).then(|| self.cell(CellKind::FixedNode, at_m, area_m2, amplitudes))
     }
 
-    fn has_room(&self) -> bool {
-        self.settings.room.take(self.joint.reverse.ways())
+    pub(super) fn has_room_for(&self, cells: u32) -> bool {
+        self.settings.room.take(cells * self.joint.reverse.ways())
     }
 
-    fn cell(&self, kind: CellKind, node_m: DVec3, area_m2: f64, estimate: Estimate<Vec<Amplitude>>) -> Cell {
+    pub(super) fn cell(
+        &self,
+        kind: CellKind,
+        node_m: DVec3,
+        area_m2: f64,
+        estimate: Estimate<Vec<Amplitude>>,
+    ) -> Cell {
         Cell {
             order: self.facets.len() as u8,
             facets: padded(&self.facets),
@@ -255,9 +271,13 @@ fn cut_along(polygon: Vec<DVec2>, axis: DVec2, size_m: f64) -> Vec<Vec<DVec2>> {
 /// Key that cells must have in common to be gathered.
 type Key = (u8, CellKind, [u32; MAX_ORDER], [[i64; 3]; 4]);
 
+/// Distance below which fixed nodes are the same point, m.
+const SAME_POINT_M: f64 = 1e-6;
+
 /// Cubes are counted from the antennas, so that a scene moved as a whole keeps its cells.
 fn key(cell: &Cell, ends: [Antenna; 2], side_m: f64, quantum_mps: f64) -> Key {
     let cube = |v: DVec3, side: f64| (v / side).round().to_array().map(|x| x as i64);
+    let side_m = if cell.kind == CellKind::FixedNode { SAME_POINT_M } else { side_m };
     let places = [0, 1].map(|end| cube(-ends[end].towards(cell.apparent_m[end]), side_m));
     let speeds = cell.motion.map(|motion| cube(motion.velocity_mps, quantum_mps));
     (cell.order, cell.kind, cell.facets.map(|facet| facet.body), [places[0], places[1], speeds[0], speeds[1]])
