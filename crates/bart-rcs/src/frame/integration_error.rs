@@ -45,8 +45,6 @@ const FIRST: f64 = 2.0;
 const COARSEST: f64 = 0.25;
 /// Maximum number of meetings on a body whose integrals are compared with much finer ones instead.
 const FEW: usize = 64;
-/// Bounds of the finer integrals that those of a few meetings are compared with, relative to theirs.
-const OF_FEW_MEETINGS: f64 = 1.0 / 16.0;
 /// Share of the requested accuracy allotted to integrals; freezing and dropping have the rest, √(1 − 0.7²) =
 /// 0.71.
 const INTEGRATION_SHARE: f64 = 0.7;
@@ -200,12 +198,12 @@ impl MeasuredMeetings<'_> {
         let from = |other: Vec<Complex64>, over_difference: f64| -> Vec<Complex64> {
             own.iter().zip(other).map(|(own, other)| over_difference * (own - other)).collect()
         };
-        let from_finer = |finer: f64| from(self.of_all_orders(body, finer * accuracy), 1.0);
+        let finer = |factor: f64| self.of_all_orders(body, factor * accuracy);
         match self.tiles_of(body, accuracy) {
-            Tiles::Few => from_finer(FAR_FINER),
+            Tiles::Few => from(finer(FAR_FINER), 1.0),
             Tiles::OfFewMeetings => {
                 let by_coarser = from(coarser(), self.over_difference());
-                let by_finer = from_finer(OF_FEW_MEETINGS);
+                let by_finer = from(finer(FINER), 1.0 / (1.0 - FINER));
                 if mean(&by_finer) > mean(&by_coarser) { by_finer } else { by_coarser }
             }
             Tiles::Many => from(coarser(), self.over_difference()),
