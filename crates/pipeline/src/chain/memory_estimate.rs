@@ -42,6 +42,10 @@ pub struct MemoryLoad {
     pub long_tiles: f64,
 }
 
+/// Maximum number of cells for each tile of a long polygon: of boxes of 9 to 12 m, 6 to 19 m away at −30 dB,
+/// whose cells are shared among nodes in ever finer grids, two held up to 1.9 times what one cell has.
+const CELLS_PER_LONG_TILE: f64 = 3.0;
+
 impl MemoryLoad {
     /// Least memory of a frame, MiB: signals, facets and lit polygons. The number of cells that an accuracy
     /// takes, and of paths that are dropped, is known only from tracing, which watches their growth.
@@ -55,7 +59,7 @@ impl MemoryLoad {
             + self.changing_cells * BYTES_PER_CHANGING_CELL
             + self.sliding_tiles * BYTES_PER_SLIDING_TILE
             + self.moving_cells * BYTES_PER_MOVING_CELL
-            + self.long_tiles * BYTES_PER_CELL;
+            + self.long_tiles * CELLS_PER_LONG_TILE * BYTES_PER_CELL;
         self.least_mib() + mib(bytes as u64)
     }
 

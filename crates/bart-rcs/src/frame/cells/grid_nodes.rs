@@ -6,8 +6,10 @@ use crate::geometry::plane_frame::{PlaneFrame, area_m2};
 use crate::integral::field::Field;
 use crate::integral::interpolation::{DEGREE, ElementSums, GridElement, NODES, cells_along};
 use crate::integral::node::Estimate;
-use crate::joins::scatterer::{PolygonPart, Scatterer};
+use crate::joins::scatterer::{PolygonPart, Scatterer, sum};
 use glam::{DVec2, DVec3};
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 /// Coarsest accuracy of the integrals: the grid cuts tiles so that their errors do not cancel as those of the
 /// whole polygon do.
@@ -16,17 +18,23 @@ const COARSEST: f64 = 1e-3;
 const NODES_OF_ELEMENT: u32 = (NODES * NODES) as u32;
 
 impl CellsOfJoint<'_> {
-    /// Nodes of a grid that covers a convex polygon.
+    /// Nodes of a grid that covers a convex polygon; elements share those on their borders.
     pub(super) fn grid_nodes(&self, frame: PlaneFrame, polygon_m: &[DVec2]) -> Vec<Cell> {
-        let elements = elements(frame, polygon_m, self.side_m);
-        elements
-            .map(|element| (element, pieces(&element, polygon_m)))
-            .filter(|(_, pieces)| !pieces.is_empty())
-            .map_while(|(element, pieces)| {
-                self.has_room_for(NODES_OF_ELEMENT).then(|| self.element_nodes(&element, &pieces))
-            })
-            .flatten()
-            .collect()
+        let mut nodes: BTreeMap<[u32; 2], Cell> = BTreeMap::new();
+        for (place, element) in elements(frame, polygon_m, self.side_m) {
+            let pieces = pieces(&element, polygon_m);
+            if pieces.is_empty() {
+                continue;
+            }
+            if !self.has_room_for(NODES_OF_ELEMENT) {
+                break;
+            }
+            for (index, node) in (0..).zip(self.element_nodes(&element, &pieces)) {
+                let steps = [index % NODES as u32, index / NODES as u32];
+                add(&mut nodes, [place[0] + steps[0], place[1] + steps[1]], node);
+            }
+        }
+        nodes.into_values().collect()
     }
 
     /// Nodes of an element with the pieces of a polygon in it.
@@ -61,14 +69,39 @@ impl CellsOfJoint<'_> {
     }
 }
 
-/// Elements of a grid of cells of at most `side_m` over a polygon's rectangle.
-fn elements(frame: PlaneFrame, polygon_m: &[DVec2], side_m: f64) -> impl Iterator<Item = GridElement> {
+/// Adds a node's share to what there is at its place.
+fn add(nodes: &mut BTreeMap<[u32; 2], Cell>, place: [u32; 2], node: Cell) {
+    match nodes.entry(place) {
+        Entry::Vacant(place) => {
+            place.insert(node);
+        }
+        Entry::Occupied(mut place) => {
+            let there = place.get_mut();
+            there.area_m2 += node.area_m2;
+            there.error_m += node.error_m;
+            for (total, own) in there.amplitudes_m.iter_mut().zip(&node.amplitudes_m) {
+                *total = sum(total, own);
+            }
+        }
+    }
+}
+
+/// Elements of a grid of cells of at most `side_m` over a polygon's rectangle, with the column and the row of
+/// each one's first node.
+fn elements(
+    frame: PlaneFrame,
+    polygon_m: &[DVec2],
+    side_m: f64,
+) -> impl Iterator<Item = ([u32; 2], GridElement)> {
     let [low, high] = bounds(polygon_m);
     let [columns, rows] = (high - low).to_array().map(|length_m| cells_along(length_m, side_m));
     let cell_m = (high - low) / DVec2::new(f64::from(columns), f64::from(rows));
-    let steps = |count: u32| (0..count).step_by(DEGREE as usize).map(f64::from);
-    let places = steps(columns).flat_map(move |x| steps(rows).map(move |y| DVec2::new(x, y)));
-    places.map(move |place| GridElement { frame, low_m: low + place * cell_m, cell_m })
+    let steps = |count: u32| (0..count).step_by(DEGREE as usize);
+    let places = steps(columns).flat_map(move |column| steps(rows).map(move |row| [column, row]));
+    places.map(move |place| {
+        let low_m = low + DVec2::from_array(place.map(f64::from)) * cell_m;
+        (place, GridElement { frame, low_m, cell_m })
+    })
 }
 
 /// Parts of a convex polygon in the cells of an element.
@@ -97,7 +130,7 @@ mod tests {
         let polygon_m = [[0.0, 0.0], [1.0, 0.2], [0.7, 0.9], [0.1, 0.5]].map(DVec2::from_array);
         let frame = PlaneFrame::new(DVec3::ZERO, DVec3::Z);
         let mut covered_m2 = 0.0;
-        for element in elements(frame, &polygon_m, 0.07) {
+        for (_, element) in elements(frame, &polygon_m, 0.07) {
             assert!(element.cell_m.max_element() <= 0.07);
             for piece in pieces(&element, &polygon_m) {
                 let [low, high] = bounds(&piece);
