@@ -175,7 +175,8 @@ mod tests {
         of(&Field::new(&node, element.middle_m(), 1e-9))
     }
 
-    /// Where the antenna moves, paths from the nodes follow as the fourth power of the phase between them.
+    /// Paths from the nodes follow an antenna that moves: their error grows as the fourth power of the phase
+    /// between them.
     #[test]
     fn nodes_follow_an_antenna_that_moves_as_the_fourth_power_of_its_way() {
         let frame = PlaneFrame::new(DVec3::ZERO, DVec3::X);

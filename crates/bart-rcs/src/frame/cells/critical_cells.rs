@@ -25,7 +25,7 @@ pub(crate) fn is_large(extent_m: DVec2, size_m: f64) -> bool {
 pub(crate) enum SplitJoint {
     /// To be cut into cells.
     Small(PlaneFrame, Vec<DVec2>),
-    /// Parts to be shared among the corners of a grid, and terms of what is not among them.
+    /// Parts to be shared among the nodes of a grid, and terms of what is not among them.
     Large(PlaneFrame, Vec<Vec<DVec2>>, Vec<CriticalPoint>),
 }
 

@@ -139,6 +139,7 @@ fn cells_of(
 /// Accuracy of the terms of large polygons relative to that of integrals: of several corners less may be left
 /// than any of them.
 const OF_TERMS: f64 = 0.2;
+
 /// Cells of a joint, as long as there is room for them.
 pub(super) struct CellsOfJoint<'a> {
     pub(super) scatterer: &'a Scatterer<'a>,
