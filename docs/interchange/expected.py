@@ -257,20 +257,34 @@ def strength_db(sensor, path, lengths_m, ways):
 
 def share(sensor, path):
     """Mean over all pairs of elements of the polynomial through up to four of the places from which a path
-    was traced, 1 at its own place and 0 at the others; and the error of the program's mean, of 128 samples at
-    even distances: half of a distance for each step from one pair to the next."""
-    span = path["curve"]["array_span"]
-    if span is None:
+    was traced, 1 at its own place and 0 at the others, on the path's side of the row; and the error of the
+    program's mean, of 128 samples at even distances: half of a distance for each step from one pair to the
+    next."""
+    span, side = path["curve"]["array_span"], path["curve"]["array_side"]
+    if span is None and side is None:
         return 1.0, 0.0
     array = sensor.radar["array"]
-    shares = [share_of_pair(span, dot(tx_m, span["transmit"]) + dot(rx_m, span["receive"]))
+    shares = [share_of_pair(span, tx_m, rx_m) * share_of_side(side, tx_m, rx_m)
               for tx_m in array["tx_m"] for rx_m in array["rx_m"]]
     steps = sum(abs(b - a) for a, b in zip(shares, shares[1:]))
     return sum(shares) / len(shares), steps / (2 * 128)
 
 
-def share_of_pair(span, along_m):
-    at, own = (along_m - span["first_m"]) / span["step_m"], span["place"]
+def along_m(of, tx_m, rx_m):
+    return dot(tx_m, of["transmit"]) + dot(rx_m, of["receive"])
+
+
+def share_of_side(side, tx_m, rx_m):
+    if side is None:
+        return 1.0
+    beyond_m = along_m(side, tx_m, rx_m) - side["from_m"]
+    return 0.5 if beyond_m == 0.0 else float(beyond_m > 0.0)
+
+
+def share_of_pair(span, tx_m, rx_m):
+    if span is None:
+        return 1.0
+    at, own = (along_m(span, tx_m, rx_m) - span["first_m"]) / span["step_m"], span["place"]
     first = min(max(math.floor(at) - 1, 0), max(span["places"] - 4, 0))
     near = range(first, min(first + 4, span["places"]))
     return math.prod((at - node) / (own - node) for node in near if node != own) if own in near else 0.0

@@ -92,6 +92,9 @@ pub(crate) struct PageArguments {
     /// Seed of `search`'s cases [default: 1].
     #[arg(long, value_name = "N", requires = "name")]
     pub(crate) seed: Option<u64>,
+    /// Only the contests of `search` with this word in their names [default: all].
+    #[arg(long, value_name = "WORD", requires = "name")]
+    pub(crate) contest: Option<String>,
 }
 
 /// Arguments of `chart`, `atlas` and `levels`.

@@ -8,7 +8,7 @@ pub(crate) mod band_power; // sums and mean powers over the band
 pub(crate) mod path_pruning; // paths too weak to matter
 pub(crate) mod integration_error; // fineness of integrals
 pub(crate) mod frame_error; // measured error of a frame's paths
-pub(crate) mod snapshot; // bodies and beams of one moment, with nearest lit points
+pub(crate) mod snapshot; // bodies and beams of one moment, with nearest lit points and sliding outlines
 pub(crate) mod left_out; // paths summed in addition to the traced ones
 pub(crate) mod path_table; // largest cells that meet the accuracy
 pub(crate) mod blends; // paths traced at several moments, or from several places of the array

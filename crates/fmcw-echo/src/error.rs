@@ -1,6 +1,6 @@
 //! Errors of the echo, described by facts.
 
-use artifact::paths::ArraySpan;
+use artifact::paths::{ArraySide, ArraySpan};
 
 /// Reason that no echo can be computed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -143,6 +143,20 @@ pub enum EchoError {
         /// Part of the array that the path represents.
         span: ArraySpan,
     },
+    /// A path for pairs of elements on a side of no line through the array.
+    #[error(
+        "path {path} of frame {frame} stands for pairs of elements from {} m on, along {:?} and {:?}: there is no \
+         such side",
+        side.from_m, side.transmit, side.receive
+    )]
+    NoSuchSide {
+        /// Index of the frame.
+        frame: u32,
+        /// Index in the frame's list.
+        path: usize,
+        /// Pairs that the path represents.
+        side: ArraySide,
+    },
     /// A path whose apparent point comes closer to an element than a wavelength, where 1/(L₁L₂) is
     /// meaningless.
     #[error(
@@ -237,6 +251,7 @@ impl EchoError {
             Self::NonFinitePath { path, .. }
             | Self::NoSuchMoment { path, .. }
             | Self::NoSuchPlace { path, .. }
+            | Self::NoSuchSide { path, .. }
             | Self::PathThroughAntenna { path, .. }
             | Self::TooFast { path, .. } => Some(*path),
             _ => None,

@@ -1,7 +1,7 @@
 //! Apparent position of a path's node at mid-frame, seen from the radar's position, and the share of the
 //! frame that the path represents.
 
-use artifact::paths::{Path, Rim};
+use artifact::paths::{Curve, Path, Rim};
 use artifact::radar::Radar;
 use glam::DVec3;
 
@@ -63,7 +63,8 @@ fn on_rim(rim: &Rim, way_m: DVec3, (hub_m, hub_mps): (DVec3, DVec3)) -> (DVec3, 
 /// their order; it errs by up to a 256th of the share's total variation over them.
 pub fn mean_share(radar: &Radar, path: &Path) -> f64 {
     const SAMPLES: usize = 128;
-    if path.curve.span.is_none() && path.curve.array_span.is_none() {
+    let Curve { span, array_span, array_side, .. } = &path.curve;
+    if span.is_none() && array_span.is_none() && array_side.is_none() {
         return 1.0;
     }
     let (tx, rx) = (&radar.array.tx_m, &radar.array.rx_m);

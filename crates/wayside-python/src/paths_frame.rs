@@ -74,7 +74,7 @@ impl PathsFrame {
     }
 }
 
-const SPAN: [Field; 10] = [
+const SPAN: [Field; 13] = [
     ("first_s", "f8"),
     ("step_s", "f8"),
     ("moments", "i8"),
@@ -85,6 +85,9 @@ const SPAN: [Field; 10] = [
     ("step_m", "f8"),
     ("places", "i8"),
     ("place", "i8"),
+    ("side_transmit", "(3,)f8"),
+    ("side_receive", "(3,)f8"),
+    ("side_from_m", "f8"),
 ];
 
 fn add_span(records: &mut Records, path: &Path) {
@@ -97,6 +100,10 @@ fn add_span(records: &mut Records, path: &Path) {
     let [first_m, step_m] = [array.map(|span| span.first_m), array.map(|span| span.step_m)];
     records.number_or_nan(first_m).number_or_nan(step_m);
     records.whole_or_none(array.map(|span| span.places)).whole_or_none(array.map(|span| span.place));
+    let side = path.curve.array_side;
+    records.numbers(&side.map_or([f64::NAN; 3], |side| side.transmit));
+    records.numbers(&side.map_or([f64::NAN; 3], |side| side.receive));
+    records.number_or_nan(side.map(|side| side.from_m));
 }
 
 #[pymethods]

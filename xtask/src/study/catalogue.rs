@@ -321,7 +321,8 @@ impl Study {
         };
         let hash = sources::hash(self.sources)?;
         let _work = Work::begin(self.name);
-        let rows = search::rows(seed, &search::search_all(seed, until)?);
+        let word = arguments.contest.as_deref().unwrap_or_default();
+        let rows = search::rows(seed, &search::search(seed, until, word)?);
         terminal::lines(rows.trim());
         if arguments.quick && arguments.out.is_none() {
             return Ok(());
@@ -363,7 +364,7 @@ mod tests {
         let shard = Some(Shard { number: 1, of: 2 });
         for (word, quick, shard, kept) in [("--shard", true, shard, false), ("--kept", false, None, true)] {
             let name = Some("wheels".to_owned());
-            let asked = PageArguments { name, quick, out: None, shard, kept, minutes: None, seed: None };
+            let asked = PageArguments { name, quick, shard, kept, ..PageArguments::default() };
             let refused = run(&asked).unwrap_err().to_string();
             assert!(refused.contains(word) && refused.contains("`wheels` keeps no rows"), "{refused}");
         }

@@ -4,6 +4,7 @@
 mod differential_testing;
 mod random_bodies;
 mod scattering;
+mod frames;
 mod echoes;
 mod maps;
 mod tracks;
@@ -30,6 +31,7 @@ const DIFFERENTIAL_TESTS: &[DifferentialTest] = &[
     DifferentialTest { name: "mesh relabelled, cut and turned", trial: scattering::mesh_invariance },
     DifferentialTest { name: "antenna far away against infinitely far", trial: scattering::far_field },
     DifferentialTest { name: "layers against matrices", trial: scattering::layers },
+    DifferentialTest { name: "frames against bodies traced anew", trial: frames::against_bodies_traced_anew },
     DifferentialTest { name: "fast sum against the formulas", trial: echoes::against_formulas },
     DifferentialTest { name: "map against the sum of its definition", trial: maps::against_sums },
     DifferentialTest { name: "detector against its definition", trial: maps::detector },
@@ -46,9 +48,17 @@ pub(super) enum StopCondition {
     ProcessorSeconds(f64),
 }
 
-/// Runs the differential tests in turn; prints finds as they occur.
-pub(super) fn search_all(seed: u64, until: StopCondition) -> Result<Vec<Tally>, Failure> {
-    let mut tallies: Vec<Tally> = DIFFERENTIAL_TESTS.iter().map(Tally::of).collect();
+/// Runs the differential tests with a word in their names in turn; prints finds as they occur.
+pub(super) fn search(seed: u64, until: StopCondition, word: &str) -> Result<Vec<Tally>, Failure> {
+    let tests: Vec<_> = DIFFERENTIAL_TESTS.iter().filter(|test| test.name.contains(word)).collect();
+    if tests.is_empty() {
+        let names: Vec<_> = DIFFERENTIAL_TESTS.iter().map(|test| test.name).collect();
+        return Err(Failure::Refused(format!(
+            "no contest has `{word}` in its name; there are {}",
+            names.join("; ")
+        )));
+    }
+    let mut tallies: Vec<Tally> = tests.iter().map(|test| Tally::of(test)).collect();
     let start_s = processor_time::of_process().unwrap_or(0.0);
     let spent_s = || processor_time::of_process().unwrap_or(f64::INFINITY) - start_s;
     let goes_on = |number: u64| match until {
@@ -56,7 +66,7 @@ pub(super) fn search_all(seed: u64, until: StopCondition) -> Result<Vec<Tally>, 
         StopCondition::ProcessorSeconds(seconds) => spent_s() < seconds,
     };
     for number in (0..).take_while(|number| goes_on(*number)) {
-        for (test, tally) in DIFFERENTIAL_TESTS.iter().zip(&mut tallies) {
+        for (test, tally) in tests.iter().zip(&mut tallies) {
             let before_s = spent_s();
             let outcome = test.case(seed, number)?;
             tally.seconds += spent_s() - before_s;
@@ -77,7 +87,7 @@ mod tests {
     /// An hour of it on request: `cargo xtask study search --minutes 60`.
     #[test]
     fn methods_agree_on_random_cases_within_what_they_print() {
-        let tallies = search_all(1, StopCondition::Cases(4)).unwrap();
+        let tallies = search(1, StopCondition::Cases(4), "").unwrap();
         for tally in &tallies {
             println!("{}: {} cases, {:.1} s", tally.name, tally.cases, tally.seconds);
             assert_eq!(tally.finds, Vec::<String>::new(), "{}", tally.name);

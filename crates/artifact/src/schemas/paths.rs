@@ -7,6 +7,7 @@ use crate::files::envelope::Schema;
 use crate::quantities::accuracy::{ErrorBudget, ModelError};
 use num_complex::Complex64;
 use serde::{Deserialize, Serialize};
+use std::cmp::Ordering;
 use std::ops::Range;
 
 /// The `.paths` artifact.
@@ -14,7 +15,7 @@ pub struct Paths;
 
 impl Schema for Paths {
     const NAME: &'static str = "paths";
-    const VERSION: u32 = 12;
+    const VERSION: u32 = 13;
     type Header = PathsHeader;
     type Frame = PathsFrame;
 
@@ -128,6 +129,8 @@ pub struct Curve {
     pub span: Option<Span>,
     /// Part of the array that the path represents; `None` for all of it.
     pub array_span: Option<ArraySpan>,
+    /// Pairs of elements that the path represents; `None` for all of them.
+    pub array_side: Option<ArraySide>,
 }
 
 /// The part of a frame that a path represents, where some propagation paths were traced at several moments:
@@ -163,6 +166,18 @@ pub struct ArraySpan {
     pub place: u32,
 }
 
+/// The pairs of elements that a path represents where a polygon is lit from both ends and the outline of its
+/// shadow is that of one of them: which one depends on which end is farther along the row.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct ArraySide {
+    /// Vector d_t, world metres: a pair of elements lies at d_t·p_t + d_r·p_r.
+    pub transmit: [f64; 3],
+    /// Vector d_r, defined likewise.
+    pub receive: [f64; 3],
+    /// Least coordinate of the pairs.
+    pub from_m: f64,
+}
+
 /// Number of blended nodes, where there are enough: a cubic.
 const BLENDED: u32 = 4;
 
@@ -196,9 +211,27 @@ impl ArraySpan {
     /// Factor of the path's amplitude between a transmit and a receive element: Lagrange polynomial through
     /// the four places around that of the pair. The shares of all places add up to 1.
     pub fn share(&self, [tx_m, rx_m]: [[f64; 3]; 2]) -> f64 {
-        let along_m: f64 = (0..3).map(|i| self.transmit[i] * tx_m[i] + self.receive[i] * rx_m[i]).sum();
+        let along_m = along_m([self.transmit, self.receive], [tx_m, rx_m]);
         lagrange(self.place, self.places, (along_m - self.first_m) / self.step_m)
     }
+}
+
+impl ArraySide {
+    /// Factor of the path's amplitude between a transmit and a receive element: 1 on this side, 0 on the
+    /// other, and one half between both.
+    pub fn share(&self, ends_m: [[f64; 3]; 2]) -> f64 {
+        let along_m = along_m([self.transmit, self.receive], ends_m);
+        match along_m.partial_cmp(&self.from_m) {
+            Some(Ordering::Greater) => 1.0,
+            Some(Ordering::Equal) => 0.5,
+            _ => 0.0,
+        }
+    }
+}
+
+/// Coordinate d_t·p_t + d_r·p_r of a pair of elements.
+fn along_m([transmit, receive]: [[f64; 3]; 2], [tx_m, rx_m]: [[f64; 3]; 2]) -> f64 {
+    (0..3).map(|i| transmit[i] * tx_m[i] + receive[i] * rx_m[i]).sum()
 }
 
 impl Curve {
@@ -206,7 +239,8 @@ impl Curve {
     /// receive element at these positions: 1 if the path represents the whole frame and array.
     pub fn share(&self, seconds: f64, ends_m: [[f64; 3]; 2]) -> f64 {
         let over_time = self.span.map_or(1.0, |span| span.share(seconds));
-        over_time * self.array_span.map_or(1.0, |span| span.share(ends_m))
+        let over_array = self.array_span.map_or(1.0, |span| span.share(ends_m));
+        over_time * over_array * self.array_side.map_or(1.0, |side| side.share(ends_m))
     }
 }
 
@@ -283,6 +317,18 @@ pub struct Fineness {
     pub places: u32,
     /// Paths that were traced from all places.
     pub ways_of_places: Vec<Vec<String>>,
+    /// Motion of the corners of large polygons that are no corners of their facets.
+    pub outlines: Outlines,
+}
+
+/// Motion of the outlines of shadows, and of what mirrors light, on large flat polygons.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Outlines {
+    /// They move with the body that they fall on.
+    #[default]
+    Fixed,
+    /// They slide over it, as was traced shortly before and after, and beside the array's centre.
+    Sliding,
 }
 
 /// Fineness of the integrals on one body, and the resulting error of its echo.

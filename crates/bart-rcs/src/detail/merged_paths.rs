@@ -64,8 +64,8 @@ impl<'a> Extents<'a> {
     }
 }
 
-/// Merges paths of one target, order and part of the frame whose phases differ by at most about `spread_rad`
-/// from their mean's at the ends of band, rows and frame; in the order of their cells.
+/// Merges paths of one target, order and part of the frame and the array whose phases differ by at most
+/// about `spread_rad` from their mean's at the ends of band, rows and frame; in the order of their cells.
 ///
 /// The slope a′ makes a path linear over the band: for a phase that varies by ±θ there the error is θ²/4.
 pub(crate) fn merged(radar: &Radar, paths: &[Path], spread_rad: f64) -> Vec<Path> {
@@ -80,7 +80,16 @@ pub(crate) fn merged(radar: &Radar, paths: &[Path], spread_rad: f64) -> Vec<Path
             path.curve.span.map(|span| (span.moments, span.moment)),
             path.curve.array_span.map(|span| (span.places, span.place)),
         ];
-        (path.target, path.order, part, cell(turns.length_m, length_m), turns.cycles.map(|c| cell(c, cycles)))
+        // The sides of a row differ in their directions' signs alone.
+        let side = path.curve.array_side.map(|side| side.transmit.map(f64::to_bits));
+        (
+            path.target,
+            path.order,
+            part,
+            side,
+            cell(turns.length_m, length_m),
+            turns.cycles.map(|c| cell(c, cycles)),
+        )
     };
     let mut keyed: Vec<_> = paths.iter().map(|path| (key(path), path)).collect();
     keyed.sort_by_key(|(key, _)| *key);

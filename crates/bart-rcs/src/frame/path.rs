@@ -80,7 +80,7 @@ fn traced(scenery: &TracedScene<'_>) -> Result<PathsFrame, BartError> {
     let (seen, table, has_bodies) = {
         let snapshot = scenery.at(plan.middle_s, [plan.position_m; 2])?;
         let scatterer = snapshot.scatterer(plan, Phase::Integrating);
-        let fit = Fit::new(&scatterer, plan, &points, &reference);
+        let fit = Fit::new(scenery, &scatterer, &points, &reference);
         let table = fit.table(&|table, others| {
             let beside = scenery.with_held_bytes(snapshot.bytes_beside() + others);
             split(&beside, table, &points, &reference)
@@ -150,7 +150,7 @@ fn traced_like(
         let snapshot = scenery.at(plan.middle_s, [plan.position_m; 2])?;
         (
             FrameFindings::of(&snapshot, plan),
-            paths_as_fine(&snapshot.scatterer(plan, Phase::Integrating), plan, fineness)?,
+            paths_as_fine(scenery, &snapshot.scatterer(plan, Phase::Integrating), fineness)?,
         )
     };
     let mut paths = split_alike(scenery, kept, fineness)?;

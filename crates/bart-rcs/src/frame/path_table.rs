@@ -3,17 +3,20 @@
 use crate::beams::body_sequences::BodySequences;
 use crate::bodies::world::World;
 use crate::frame::cells::cell_memory::CellMemory;
+use crate::frame::cells::corner_slide::{OutlineSlides, SlidesOfOrder};
 use crate::frame::cells::edge_cells::{edge_cells, truncation_cells};
 use crate::frame::cells::path_cells::{BYTES_PER_CELL, Cell, CellSettings, cells, gathered};
 use crate::frame::frame_error::{FrameError, FrameReference, OmittedPowers, dropped_sections};
-use crate::frame::path_plan::{MOMENTS_MAX, MOMENTS_USUAL, PATHS_MAX, Plan, SampledBand, WHEEL_STEPS};
+use crate::frame::path_plan::{MOMENTS_MAX, MOMENTS_USUAL, PATHS_MAX, Plan, WHEEL_STEPS};
 use crate::frame::path_pruning::{PrunedPaths, pruned};
+use crate::frame::snapshot::sliding_outlines::{has_sliding_corners, outline_slides};
+use crate::frame::snapshot::{BlendNode, TracedScene};
 use crate::geometry::antenna::Antenna;
 use crate::joins::scatterer::{Scatterer, bracket_of};
 use crate::run_control::error::BartError;
 use crate::run_control::memory::with_joints;
 use crate::table::order_joints::OrderJoints;
-use artifact::paths::{Curve, Fineness, IntegralFineness, Path};
+use artifact::paths::{Curve, Fineness, IntegralFineness, Outlines, Path};
 use artifact::scene::{SceneHeader, Target};
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use glam::DVec3;
@@ -48,34 +51,47 @@ pub(crate) fn paths_bytes(paths: usize) -> u64 {
 /// Paths of bodies at the frame's middle with the fineness of another frame, in cells no larger than this
 /// frame's motion and band permit.
 pub(crate) fn paths_as_fine(
+    scenery: &TracedScene<'_>,
     scatterer: &Scatterer<'_>,
-    plan: &Plan<'_>,
     fineness: &Fineness,
 ) -> Result<PrunedPaths, BartError> {
-    let cell_m = fineness.cell_m.min(largest_cell_of_world_m(plan, scatterer.world));
-    BodyParts::of(scatterer, plan).paths(cell_m, &accuracy_of_body(plan, fineness), 0)
-}
-
-/// Another moment of the frame, or another position on the array.
-pub(crate) struct BlendNode<'a> {
-    /// Sequences of bodies to trace; all of them if none are named.
-    pub(crate) ways: Option<&'a BodySequences>,
-    /// Time after the frame's first sample, s.
-    pub(crate) seconds: f64,
-    /// Positions of the transmitter and the receiver.
-    pub(crate) ends_m: [DVec3; 2],
+    let plan = scenery.plan;
+    let accuracy_of_body = accuracy_of_body(plan, fineness);
+    let cells = CellFineness::no_larger(fineness, plan, (scatterer.world, &accuracy_of_body));
+    BodyParts::of(scenery, scatterer).paths(&cells, 0)
 }
 
 /// Paths at another node, with nothing dropped.
 pub(crate) fn paths_along(
+    scenery: &TracedScene<'_>,
     scatterer: &Scatterer<'_>,
-    plan: &Plan<'_>,
     fineness: &Fineness,
     node: &BlendNode<'_>,
 ) -> Result<Vec<Path>, BartError> {
-    let cell_m = fineness.cell_m.min(largest_cell_of_world_m(plan, scatterer.world));
-    let parts = BodyParts::along(scatterer, plan, node.ways);
-    parts.trace(cell_m, &accuracy_of_body(plan, fineness), (node.seconds, node.ends_m), &parts.room())
+    let plan = scenery.plan;
+    let accuracy_of_body = accuracy_of_body(plan, fineness);
+    let cells = CellFineness::no_larger(fineness, plan, (scatterer.world, &accuracy_of_body));
+    let parts = BodyParts::along(scenery, scatterer, node);
+    parts.trace(&cells, &parts.room())
+}
+
+/// How fine the cells of a table are.
+struct CellFineness<'a> {
+    cell_m: f64,
+    accuracy_of_body: &'a [f64],
+    outlines: Outlines,
+}
+
+impl<'a> CellFineness<'a> {
+    /// The fineness of another frame, in cells no larger than this frame's motion and band permit.
+    fn no_larger(
+        fineness: &Fineness,
+        plan: &Plan<'_>,
+        (world, accuracy_of_body): (&World, &'a [f64]),
+    ) -> Self {
+        let cell_m = fineness.cell_m.min(largest_cell_of_world_m(plan, world));
+        Self { cell_m, accuracy_of_body, outlines: fineness.outlines }
+    }
 }
 
 /// Accuracy of each body; a new body is given the finest.
@@ -86,32 +102,63 @@ fn accuracy_of_body(plan: &Plan<'_>, fineness: &Fineness) -> Vec<f64> {
     plan.header.targets.iter().map(|target| of_body(&target.id)).collect()
 }
 
+/// Meetings by order, on some sequences of bodies alone if they are named.
+fn meetings(scatterer: &Scatterer<'_>, plan: &Plan<'_>, ways: Option<&BodySequences>) -> Vec<OrderJoints> {
+    let of_order = |order: u8| OrderJoints::of(scatterer, order, &plan.meetings());
+    let orders = 1..=plan.header.fidelity.bounces;
+    match ways {
+        None => orders.map(of_order).collect(),
+        Some(ways) => {
+            let present = orders.filter(|order| ways.has_order(*order));
+            present.map(|order| of_order(order).along(scatterer, ways)).collect()
+        }
+    }
+}
+
 /// Parts of bodies from which paths are made.
 struct BodyParts<'a> {
+    scenery: &'a TracedScene<'a>,
     scatterer: &'a Scatterer<'a>,
     plan: &'a Plan<'a>,
-    /// Meetings by order from 1.
+    /// Where and when they are traced.
+    node: BlendNode<'a>,
+    /// Meetings by order from 1, without orders that no sequence of the node has.
     meetings: Vec<OrderJoints>,
 }
 
 impl<'a> BodyParts<'a> {
-    fn of(scatterer: &'a Scatterer<'a>, plan: &'a Plan<'a>) -> Self {
-        let of_order = |order: u8| OrderJoints::of(scatterer, order, &plan.meetings());
-        Self { scatterer, plan, meetings: (1..=plan.header.fidelity.bounces).map(of_order).collect() }
+    /// All parts at the frame's middle.
+    fn of(scenery: &'a TracedScene<'a>, scatterer: &'a Scatterer<'a>) -> Self {
+        let plan = scenery.plan;
+        let node = BlendNode { ways: None, seconds: plan.middle_s, ends_m: [plan.position_m; 2] };
+        Self::along(scenery, scatterer, &node)
     }
 
-    /// Parts on some sequences of bodies alone.
-    fn along(scatterer: &'a Scatterer<'a>, plan: &'a Plan<'a>, ways: Option<&BodySequences>) -> Self {
-        let Some(ways) = ways else { return Self::of(scatterer, plan) };
-        let orders = (1..=plan.header.fidelity.bounces).filter(|order| ways.has_order(*order));
-        let of_order = |order: u8| OrderJoints::of(scatterer, order, &plan.meetings()).along(scatterer, ways);
-        Self { scatterer, plan, meetings: orders.map(of_order).collect() }
+    /// Parts at a node, on its sequences of bodies alone.
+    fn along(scenery: &'a TracedScene<'a>, scatterer: &'a Scatterer<'a>, node: &BlendNode<'a>) -> Self {
+        let (plan, node) = (scenery.plan, *node);
+        let meetings = meetings(scatterer, plan, node.ways);
+        Self { scenery, scatterer, plan, node, meetings }
+    }
+
+    /// Whether outlines slide on polygons that are large in cells of some size.
+    fn has_sliding_outlines(&self, size_m: f64) -> bool {
+        has_sliding_corners(self.scatterer, &self.meetings, size_m)
+    }
+
+    /// Slides of the outlines of polygons that are large in cells of some size; `None` if none slides.
+    fn slides(&self, outlines: Outlines, size_m: f64) -> Result<Option<OutlineSlides>, BartError> {
+        if outlines == Outlines::Fixed || !self.has_sliding_outlines(size_m) {
+            return Ok(None);
+        }
+        let of_others = |other: &Scatterer<'_>, ways: &BodySequences| meetings(other, self.plan, Some(ways));
+        let of_node = (self.scatterer, self.meetings.as_slice());
+        outline_slides(self.scenery, of_node, (&self.node, size_m), &of_others).map(Some)
     }
 
     /// Paths while other tables of `others` bytes are held.
-    fn paths(&self, cell_m: f64, accuracy_of_body: &[f64], others: u64) -> Result<PrunedPaths, BartError> {
-        let at = (self.plan.middle_s, [self.plan.position_m; 2]);
-        let paths = self.trace(cell_m, accuracy_of_body, at, &self.room().holding(others))?;
+    fn paths(&self, fineness: &CellFineness<'_>, others: u64) -> Result<PrunedPaths, BartError> {
+        let paths = self.trace(fineness, &self.room().holding(others))?;
         Ok(pruned(paths, self.plan, self.scatterer.world))
     }
 
@@ -121,15 +168,10 @@ impl<'a> BodyParts<'a> {
         CellMemory::besides_beams(with_joints(trees.bytes()), limit, BYTES_PER_CELL)
     }
 
-    /// Paths of all parts, for bodies some `seconds` after the frame's first sample, from a transmitter to a
-    /// receiver.
-    fn trace(
-        &self,
-        cell_m: f64,
-        accuracy_of_body: &[f64],
-        (seconds, ends_m): (f64, [DVec3; 2]),
-        room: &CellMemory,
-    ) -> Result<Vec<Path>, BartError> {
+    /// Paths of all parts.
+    fn trace(&self, fineness: &CellFineness<'_>, room: &CellMemory) -> Result<Vec<Path>, BartError> {
+        let CellFineness { cell_m, accuracy_of_body, outlines } = *fineness;
+        let slides = self.slides(outlines, cell_m)?;
         let wavenumbers = self.plan.band.wavenumbers_per_m();
         let settings = CellSettings {
             size_m: cell_m,
@@ -142,8 +184,8 @@ impl<'a> BodyParts<'a> {
             room,
         };
         let mut paths = Vec::new();
-        for meeting in &self.meetings {
-            paths.extend(self.of_order(meeting, (seconds, ends_m), &settings)?);
+        for (index, meeting) in self.meetings.iter().enumerate() {
+            paths.extend(self.of_order(meeting, slides.as_ref().map(|of| of.of_order(index)), &settings)?);
         }
         Ok(paths)
     }
@@ -151,14 +193,15 @@ impl<'a> BodyParts<'a> {
     fn of_order(
         &self,
         meeting: &OrderJoints,
-        (seconds, ends_m): (f64, [DVec3; 2]),
+        slides: Option<SlidesOfOrder<'_>>,
         settings: &CellSettings<'_>,
     ) -> Result<Vec<Path>, BartError> {
-        let mut found = cells(self.scatterer, &meeting.facets, settings);
+        let BlendNode { seconds, ends_m, .. } = self.node;
+        let mut found = cells(self.scatterer, (&meeting.facets, slides), settings);
         found.extend(edge_cells(self.scatterer, &meeting.edges, settings));
         found.extend(truncation_cells(self.scatterer, &meeting.truncations, settings));
         settings.room.check()?;
-        let path_of = |cell: Cell| path_of(&cell, &self.plan.band, seconds);
+        let path_of = |cell: Cell| path_of(&cell, self.plan, seconds);
         Ok(gathered(found, self.scatterer.world, ends_m.map(Antenna::Point), settings, path_of))
     }
 }
@@ -192,6 +235,14 @@ const LAST: SearchLimits = SearchLimits { tried: REFINED_PATHS_MAX, next: 2 * RE
 /// Minimum ratio, 1 dB, by which smaller cells of any size could reduce the error and meet the accuracy, for
 /// them to be tried.
 const WORTH_TRYING: f64 = 1.12;
+/// Number of beams below which a moment takes next to no time: outlines slide before others are tried.
+const FEW_BEAMS: usize = 1000;
+/// Ratio of the error of outlines that slide to that of fixed ones below which they are worth their nodes,
+/// each of which takes several times as long.
+const WORTH_SLIDING: f64 = 0.7;
+/// Ratio of the error to what is allowed, 1 dB, from which on both outlines that slide and fixed ones are
+/// tried.
+const FAR_OFF: f64 = 1.12;
 /// Cell size relative to the first above which cells do not predict the error of smaller ones: a few paths
 /// match or miss the check's moment by chance, and the error that moments leave of large cells is not known
 /// before it is tried.
@@ -208,12 +259,13 @@ pub(crate) struct Fit<'a> {
 
 impl<'a> Fit<'a> {
     pub(crate) fn new(
+        scenery: &'a TracedScene<'a>,
         scatterer: &'a Scatterer<'a>,
-        plan: &'a Plan<'a>,
         points: &'a [Path],
         reference: &'a FrameReference,
     ) -> Self {
-        let parts = BodyParts::of(scatterer, plan);
+        let plan = scenery.plan;
+        let parts = BodyParts::of(scenery, scatterer);
         let beams = dropped_sections(scatterer, plan, &parts.meetings);
         Self { parts, points, reference, beams }
     }
@@ -228,13 +280,51 @@ impl<'a> Fit<'a> {
     pub(crate) fn table(&self, split: &Blend<'_>) -> Result<PathTable, BartError> {
         let BodyParts { scatterer, plan, .. } = self.parts;
         let largest_m = largest_cell_of_world_m(plan, scatterer.world);
-        let alone = |cell_m: f64, others: u64| self.table_of(cell_m, others);
-        let split_to = |cell_m: f64, others: u64| split(self.table_of(cell_m, others)?, others);
         if scatterer.world.fastest_wheel_radps() > 0.0 {
+            let split_to = |cell_m, others| split(self.table_of(cell_m, Outlines::Fixed, others)?, others);
             let largest = split_to(largest_m, 0)?;
             return Ok(self.with_smaller_cells(largest, BLENDED, 0, &split_to)?.0);
         }
-        let largest = alone(largest_m, 0)?;
+        let fixed = self.table_of(largest_m, Outlines::Fixed, 0)?;
+        let is_simple = self.parts.scatterer.trees.transmit().beams.len() < FEW_BEAMS;
+        let first = if is_simple { self.with_sliding_outlines(&fixed)? } else { None };
+        let (best, other) = match first {
+            None => (self.searched(fixed, split)?, None),
+            Some(sliding) => (self.searched(sliding, split)?, Some(fixed)),
+        };
+        if best.error.measured() <= FAR_OFF * self.parts.plan.allowed_error() {
+            return Ok(best);
+        }
+        let other = match other {
+            None => self.with_sliding_outlines(&best)?,
+            some => some,
+        };
+        // Of many beams each further node takes its time: outlines have to help at once.
+        let helps = |of: &PathTable| is_simple || of.error.measured() < WORTH_SLIDING * best.error.measured();
+        let Some(other) = other.filter(helps) else { return Ok(best) };
+        let found = self.searched(other, split)?;
+        Ok(if found.error.measured() < best.error.measured() { found } else { best })
+    }
+
+    /// A table in the largest cells, or in those of a table in which alone polygons are large, with outlines
+    /// that slide; `None` if none does, or if the table meets the accuracy or misses it for other reasons.
+    fn with_sliding_outlines(&self, fixed: &PathTable) -> Result<Option<PathTable>, BartError> {
+        let BodyParts { scatterer, plan, .. } = self.parts;
+        if self.is_met(fixed) || !fixed.error.is_mostly_freezing() {
+            return Ok(None);
+        }
+        let sizes_m = [largest_cell_of_world_m(plan, scatterer.world), fixed.fineness.cell_m];
+        match sizes_m.into_iter().find(|cell_m| self.parts.has_sliding_outlines(*cell_m)) {
+            Some(cell_m) => self.table_of(cell_m, Outlines::Sliding, fixed.paths_bytes()).map(Some),
+            None => Ok(None),
+        }
+    }
+
+    /// Table with the largest cells that meet the accuracy, from that of the largest ones on.
+    fn searched(&self, largest: PathTable, split: &Blend<'_>) -> Result<PathTable, BartError> {
+        let (largest_m, outlines) = (largest.fineness.cell_m, largest.fineness.outlines);
+        let alone = |cell_m: f64, others: u64| self.table_of(cell_m, outlines, others);
+        let split_to = |cell_m: f64, others: u64| split(self.table_of(cell_m, outlines, others)?, others);
         let most = largest.paths.len().saturating_mul(MOMENTS_MAX as usize);
         let limits = SearchLimits { tried: most, next: PATHS_MAX };
         let (best, tried) = self.with_smaller_cells(largest, limits, 0, &alone)?;
@@ -295,10 +385,12 @@ impl<'a> Fit<'a> {
         Ok((best, tried))
     }
 
-    fn table_of(&self, cell_m: f64, others: u64) -> Result<PathTable, BartError> {
+    fn table_of(&self, cell_m: f64, outlines: Outlines, others: u64) -> Result<PathTable, BartError> {
         let integration = &self.reference.integration;
+        let accuracy_of_body = integration.accuracy_of_body.as_slice();
+        let cells = CellFineness { cell_m, accuracy_of_body, outlines };
         let PrunedPaths { mut paths, dropped_powers, strongest_dropped } =
-            self.parts.paths(cell_m, &integration.accuracy_of_body, others)?;
+            self.parts.paths(&cells, others)?;
         paths.extend_from_slice(self.points);
         let omitted_powers = OmittedPowers {
             paths_power_m2: dropped_powers.iter().sum(),
@@ -314,8 +406,15 @@ impl<'a> Fit<'a> {
         };
         let integrals =
             self.parts.plan.header.targets.iter().zip(&integration.accuracy_of_body).map(of).collect();
-        let fineness =
-            Fineness { cell_m, integrals, moments: 1, ways: vec![], places: 1, ways_of_places: vec![] };
+        let fineness = Fineness {
+            cell_m,
+            integrals,
+            moments: 1,
+            ways: vec![],
+            places: 1,
+            ways_of_places: vec![],
+            outlines,
+        };
         Ok(PathTable { paths, fineness, error, omitted_powers, dropped_powers, strongest_dropped, bytes: 0 })
     }
 }
@@ -394,8 +493,8 @@ fn velocity_quantum_mps(header: &SceneHeader) -> f64 {
 }
 
 /// Path of a cell in its state some `seconds` after the frame's first sample.
-fn path_of(cell: &Cell, band: &SampledBand, seconds: f64) -> Path {
-    let (amplitude_m, slope_m_per_hz) = band.line(&cell.amplitudes_m);
+fn path_of(cell: &Cell, plan: &Plan<'_>, seconds: f64) -> Path {
+    let (amplitude_m, slope_m_per_hz) = plan.band.line(&cell.amplitudes_m);
     let at_first_sample = [0, 1].map(|end| cell.motion[end].after(cell.apparent_m[end], -seconds));
     let [(tx_m, tx_mps), (rx_m, rx_mps)] =
         at_first_sample.map(|(at_m, mps)| (at_m.to_array(), mps.to_array()));
@@ -410,7 +509,12 @@ fn path_of(cell: &Cell, band: &SampledBand, seconds: f64) -> Path {
         amplitude_m,
         slope_m_per_hz,
         facets: cell.facets,
-        curve: Curve { apparent_tx_mps2: tx_mps2, apparent_rx_mps2: rx_mps2, ..Curve::default() },
+        curve: Curve {
+            apparent_tx_mps2: tx_mps2,
+            apparent_rx_mps2: rx_mps2,
+            array_side: cell.side.map(|side| side.of_row(plan.row.axis)),
+            ..Curve::default()
+        },
     }
 }
 

@@ -1,6 +1,7 @@
 //! Bodies and beams at one moment of a frame.
 
 pub(crate) mod nearest_surface; // nearest lit point of a body
+pub(crate) mod sliding_outlines; // how fast outlines slide over their bodies
 
 use crate::beams::beam::BeamTree;
 use crate::beams::body_sequences::BodySequences;
@@ -27,6 +28,17 @@ pub(crate) struct TracedScene<'a> {
     pub(crate) plan: &'a Plan<'a>,
     /// Memory of other moments and of paths held while one is traced, bytes.
     pub(crate) held_bytes: u64,
+}
+
+/// Another moment of the frame, or another position on the array.
+#[derive(Clone, Copy)]
+pub(crate) struct BlendNode<'a> {
+    /// Sequences of bodies to trace; all of them if none are named.
+    pub(crate) ways: Option<&'a BodySequences>,
+    /// Time after the frame's first sample, s.
+    pub(crate) seconds: f64,
+    /// Positions of the transmitter and the receiver.
+    pub(crate) ends_m: [DVec3; 2],
 }
 
 /// Bodies and beams at one moment and position.
@@ -60,12 +72,7 @@ impl TracedScene<'_> {
     }
 
     /// Bodies and beams of some sequences alone, some `seconds` after the frame's first sample.
-    pub(crate) fn along(
-        &self,
-        ways: &BodySequences,
-        seconds: f64,
-        ends_m: [DVec3; 2],
-    ) -> Result<Snapshot, BartError> {
+    fn along(&self, ways: &BodySequences, seconds: f64, ends_m: [DVec3; 2]) -> Result<Snapshot, BartError> {
         let (world, plan) = (self.world(seconds)?, self.plan);
         let traced = |place_m: DVec3| {
             let antenna = Antenna::Point(place_m);
@@ -74,6 +81,14 @@ impl TracedScene<'_> {
         };
         let (tree, apart) = of_ends(ends_m, traced)?;
         Ok(Snapshot::with_trees(world, tree, apart))
+    }
+
+    /// Bodies and beams at a node.
+    pub(crate) fn at_node(&self, node: &BlendNode<'_>) -> Result<Snapshot, BartError> {
+        match node.ways {
+            Some(ways) => self.along(ways, node.seconds, node.ends_m),
+            None => self.at(node.seconds, node.ends_m),
+        }
     }
 
     /// The same scene with more bytes held.

@@ -40,6 +40,13 @@ pub(crate) struct FarPolygon {
     pub(super) variation: Variation,
 }
 
+impl FarPolygon {
+    /// Corners at both ends of a side.
+    pub(crate) fn ends_of(&self, side: usize) -> [DVec2; 2] {
+        [side, side + 1].map(|corner| self.corners_m[corner % self.corners_m.len()])
+    }
+}
+
 /// Bounds of what varies over a polygon, and of what may be left out.
 #[derive(Debug)]
 pub(super) struct Variation {

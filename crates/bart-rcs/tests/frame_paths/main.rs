@@ -11,6 +11,7 @@ mod flat_sides;
 mod frames;
 mod patterns;
 mod sidelobes;
+mod sliding_outlines;
 mod sub_frames;
 mod tables;
 mod target_errors;

@@ -3,27 +3,36 @@
 
 use crate::links::multiplexing::Transmission;
 use artifact::Radar;
-use artifact::paths::{ArraySpan, Path, Span};
+use artifact::paths::{ArraySide, ArraySpan, Curve, Path, Span};
 
 /// Part of a frame and of the array represented by paths; `None` for all of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct FrameSpan {
     pub(crate) of_time: Option<Span>,
     pub(crate) of_array: Option<ArraySpan>,
+    pub(crate) of_side: Option<ArraySide>,
 }
+
+/// Numbers that tell two parts from each other.
+type Key = (Option<[u64; 4]>, Option<[u64; 10]>, Option<[u64; 7]>);
 
 impl FrameSpan {
     pub(crate) fn of(path: &Path) -> Self {
-        Self { of_time: path.curve.span, of_array: path.curve.array_span }
+        let Curve { span, array_span, array_side, .. } = path.curve;
+        Self { of_time: span, of_array: array_span, of_side: array_side }
     }
 
     /// Whether it is the whole frame and array.
     pub(crate) fn is_whole(&self) -> bool {
-        self.of_time.is_none() && self.of_array.is_none()
+        self.of_time.is_none() && self.of_whole_array()
+    }
+
+    fn of_whole_array(&self) -> bool {
+        self.of_array.is_none() && self.of_side.is_none()
     }
 
     /// Sort key common to the paths of one part.
-    fn key(&self) -> (Option<[u64; 4]>, Option<[u64; 10]>) {
+    fn key(&self) -> Key {
         let of_time = |span: Span| {
             [span.moments.into(), span.first_s.to_bits(), span.step_s.to_bits(), span.moment.into()]
         };
@@ -33,21 +42,27 @@ impl FrameSpan {
                 [a, b, c, d, e, f, span.first_m, span.step_m].map(f64::to_bits);
             [span.places.into(), a, b, c, d, e, f, first, step, span.place.into()]
         };
-        (self.of_time.map(of_time), self.of_array.map(of_array))
+        let of_side = |side: ArraySide| {
+            let ([a, b, c], [d, e, f]) = (side.transmit, side.receive);
+            [a, b, c, d, e, f, side.from_m].map(f64::to_bits)
+        };
+        (self.of_time.map(of_time), self.of_array.map(of_array), self.of_side.map(of_side))
     }
 
     /// Share of every sample of a chirp between a transmit and a receive element.
     pub(crate) fn shares_of_row(&self, radar: &Radar, transmission: &Transmission) -> Vec<f64> {
         let time_s = |sample: u32| transmission.start_s + f64::from(sample) / radar.waveform.sample_rate_hz;
         let over_time = |sample: u32| self.of_time.map_or(1.0, |span| span.share(time_s(sample)));
-        let over_array = self.of_array.map_or(1.0, |span| span.share(transmission.ends_m()));
+        let ends_m = transmission.ends_m();
+        let on_side = self.of_side.map_or(1.0, |side| side.share(ends_m));
+        let over_array = on_side * self.of_array.map_or(1.0, |span| span.share(ends_m));
         (0..radar.waveform.samples).map(|sample| over_array * over_time(sample)).collect()
     }
 
     /// Transmissions of one row that have the same share: all of them, which start at one time, or one pair
     /// of elements at a time.
     pub(crate) fn alike<'t>(&self, row: &'t [Transmission]) -> std::slice::Chunks<'t, Transmission> {
-        row.chunks(if self.of_array.is_some() { 1 } else { row.len().max(1) })
+        row.chunks(if self.of_whole_array() { row.len().max(1) } else { 1 })
     }
 }
 

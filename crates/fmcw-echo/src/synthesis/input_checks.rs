@@ -3,7 +3,7 @@
 use crate::error::EchoError;
 use crate::sums::closest_approach::MovingLeg;
 use artifact::cube::{Cube, CubeHeader};
-use artifact::paths::{ArraySpan, Path, Rim, Span};
+use artifact::paths::{ArraySide, ArraySpan, Path, Rim, Span};
 use artifact::radar::{OSCILLATOR_SAMPLES_LIMIT, Pattern, PhaseNoise};
 use artifact::{Radar, Schema};
 use glam::DVec3;
@@ -247,9 +247,16 @@ impl PathLocation {
                 step_s,
             });
         }
-        match path.curve.array_span.filter(|span| !is_place(span)) {
+        if let Some(span) = path.curve.array_span.filter(|span| !is_place(span)) {
+            return Err(EchoError::NoSuchPlace { frame, path: path_index, span });
+        }
+        let is_side = |side: &ArraySide| {
+            let mut cosines = side.transmit.iter().chain(&side.receive);
+            cosines.all(|cosine| cosine.abs() <= 1.0 + 1e-9) && side.from_m.is_finite()
+        };
+        match path.curve.array_side.filter(|side| !is_side(side)) {
             None => Ok(()),
-            Some(span) => Err(EchoError::NoSuchPlace { frame, path: path_index, span }),
+            Some(side) => Err(EchoError::NoSuchSide { frame, path: path_index, side }),
         }
     }
 

@@ -3,7 +3,7 @@
 
 use crate::export::delays::delay_at_middle;
 use crate::sidecar;
-use artifact::paths::{ArraySpan, Path as Record, Paths, PathsHeader, Span};
+use artifact::paths::{ArraySide, ArraySpan, Curve, Path as Record, Paths, PathsHeader, Span};
 use artifact::{Radar, Reader};
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
@@ -16,7 +16,8 @@ use std::path::Path;
 const COLUMNS: &str = "frame,target,order,pol,re_m,im_m,dre_m_per_ghz,dim_m_per_ghz,ax_m,ay_m,az_m,bx_m,by_m,bz_m,\
 avx_mps,avy_mps,avz_mps,bvx_mps,bvy_mps,bvz_mps,delay_s,delay_rate,facets,\
 span_first_s,span_step_s,span_moments,span_moment,\
-array_span_tx,array_span_rx,array_span_first_m,array_span_step_m,array_span_places,array_span_place";
+array_span_tx,array_span_rx,array_span_first_m,array_span_step_m,array_span_places,array_span_place,\
+array_side_tx,array_side_rx,array_side_from_m";
 const POLARIZATIONS: [(&str, usize, usize); 4] = [("vv", 0, 0), ("hh", 1, 1), ("vh", 0, 1), ("hv", 1, 0)];
 
 /// Writes a row for each path of each frame.
@@ -75,8 +76,12 @@ fn span(path: &Record) -> String {
         let ArraySpan { transmit, receive, first_m, step_m, places, place } = span;
         format!("{},{},{first_m},{step_m},{places},{place}", vector(transmit), vector(receive))
     };
-    let told = path.curve.span.map_or(",,,".into(), of_time);
-    format!("{told},{}", path.curve.array_span.map_or(",,,,,".into(), of_array))
+    let of_side =
+        |side: ArraySide| format!("{},{},{}", vector(side.transmit), vector(side.receive), side.from_m);
+    let Curve { span, array_span, array_side, .. } = path.curve;
+    let of_span = span.map_or(",,,".into(), of_time);
+    let of_place = array_span.map_or(",,,,,".into(), of_array);
+    format!("{of_span},{of_place},{}", array_side.map_or(",,".into(), of_side))
 }
 
 #[cfg(test)]

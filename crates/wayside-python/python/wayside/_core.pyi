@@ -200,7 +200,8 @@ class PathsFrame:
         """Part of the frame and of the array that each path stands for, a `numpy.recarray` [n]: first_s,
         step_s, moments, moment (of ways that were traced at several moments, each blended with its
         neighbours), transmit [3], receive [3], first_m, step_m, places, place (likewise from several places
-        along the array's row); NaN and −1 of a path that stands for all of it."""
+        along the array's row), side_transmit [3], side_receive [3], side_from_m (of outlines that are those of
+        the transmitter or of the receiver); NaN and −1 of a path that stands for all of it."""
     @property
     def delay_s(self) -> NDArray[np.float64]:
         """Delay at the frame's middle from the array's centre, s, float64 [n]."""

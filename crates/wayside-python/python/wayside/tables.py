@@ -101,4 +101,8 @@ def _paths_of(frame: Any, targets: list[str]) -> Any:
     for name in ("transmit", "receive"):
         columns |= {f"array_span_{name[:1]}x_{axis}": spans[name][:, i] for i, axis in enumerate(_AXES)}
     columns |= {f"array_span_{name}": spans[name] for name in ("first_m", "step_m", "places", "place")}
+    for name in ("transmit", "receive"):
+        side = spans[f"side_{name}"]
+        columns |= {f"array_side_{name[:1]}x_{axis}": side[:, i] for i, axis in enumerate(_AXES)}
+    columns["array_side_from_m"] = spans["side_from_m"]
     return pandas.DataFrame(columns, index=range(len(order)))

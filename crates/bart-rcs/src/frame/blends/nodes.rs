@@ -12,8 +12,8 @@ use crate::frame::blends::axis::{BlendAxis, FINEST, LOOKED_AT, SHARE_OF_LOOKS};
 use crate::frame::blends::changing_sequences::{FIELD_FREQUENCIES, bodies, changing_sequences, field};
 use crate::frame::path_pruning::pruned_alike;
 use crate::frame::path_sum::PathView;
-use crate::frame::path_table::{BlendNode, paths_along, paths_bytes};
-use crate::frame::snapshot::TracedScene;
+use crate::frame::path_table::{paths_along, paths_bytes};
+use crate::frame::snapshot::{BlendNode, TracedScene};
 use crate::run_control::error::BartError;
 use crate::run_control::progress::Phase;
 use artifact::paths::{Fineness, Path};
@@ -99,13 +99,10 @@ impl<'a> BlendNodes<'a> {
         let ways = (!self.ways.is_empty()).then_some(&self.ways);
         // Including the blends made of them, two of which are compared.
         let beside = scenery.with_held_bytes(3 * paths_bytes(self.paths() + others + of_middle));
-        let snapshot = match ways {
-            Some(ways) => beside.along(ways, seconds, ends_m)?,
-            None => beside.at(seconds, ends_m)?,
-        };
-        self.bytes = self.bytes.max(snapshot.bytes());
         let node = BlendNode { ways, seconds, ends_m };
-        let paths = paths_along(&snapshot.scatterer(plan, Phase::Tracing), plan, fineness, &node)?;
+        let snapshot = beside.at_node(&node)?;
+        self.bytes = self.bytes.max(snapshot.bytes());
+        let paths = paths_along(&beside, &snapshot.scatterer(plan, Phase::Tracing), fineness, &node)?;
         Ok(pruned_alike(paths, plan, &snapshot.world, strongest_dropped))
     }
 

@@ -1,5 +1,6 @@
 //! Large lit polygons off their specular: terms of their corners and sides in place of cells.
 
+use crate::frame::cells::corner_slide::BorderPlace;
 use crate::geometry::convex_intersection::bounds;
 use crate::geometry::plane_frame::PlaneFrame;
 use crate::integral::critical_points::terms::CriticalPoint;
@@ -26,21 +27,22 @@ pub(crate) enum SplitJoint {
     /// To be cut into cells.
     Small(PlaneFrame, Vec<DVec2>),
     /// Parts to be shared among the nodes of a grid, and terms of what is not among them.
-    Large(PlaneFrame, Vec<Vec<DVec2>>, Vec<CriticalPoint>),
+    Large(PlaneFrame, Vec<Vec<DVec2>>, Vec<(CriticalPoint, BorderPlace)>),
 }
 
-/// A joint's polygon as cells of `size_m` take it; amplitudes of the terms have the joint's weight.
+/// A joint's polygon as cells of `size_m` take it, as large if its outline slides; amplitudes of the terms
+/// have the joint's weight.
 pub(crate) fn split_joint(
     scatterer: &Scatterer<'_>,
     joint: &Joint,
     corners_m: &[DVec3],
-    size_m: f64,
+    (size_m, slides): (f64, bool),
     request: &Integration<'_>,
 ) -> SplitJoint {
     let frame = PlaneFrame::new(corners_m[0], scatterer.forward(joint).lit_normal);
     let polygon: Vec<DVec2> = corners_m.iter().map(|c| frame.plane_from_world(*c)).collect();
     let [low, high] = bounds(&polygon);
-    if !is_large(high - low, size_m) {
+    if !slides && !is_large(high - low, size_m) {
         return SplitJoint::Small(frame, polygon);
     }
     let Integration { wavenumbers_per_m, accuracy, bracket } = *request;
@@ -50,11 +52,21 @@ pub(crate) fn split_joint(
         let parted =
             field.split_about_stationary_point(&polygon, wavenumbers_per_m[wavenumbers_per_m.len() / 2]);
         for far in &parted.far {
-            field.for_each_term(far, size_m, wavenumbers_per_m, &mut |term| terms.push(term));
+            field.for_each_term(far, size_m, wavenumbers_per_m, &mut |term| {
+                let corners = far.ends_of(term.side).map(|end_m| corner_at(&polygon, end_m));
+                let share = term.share;
+                terms.push((term, BorderPlace { corners, share }));
+            });
         }
         parted.near
     });
-    let amplitudes = terms.iter_mut().map(|term| &mut term.amplitudes);
+    let amplitudes = terms.iter_mut().map(|(term, _)| &mut term.amplitudes);
     amplitudes.for_each(|estimate| Scatterer::weigh(joint, wavenumbers_per_m, estimate));
     SplitJoint::Large(frame, near_m, terms)
+}
+
+/// Corner of a polygon at a place.
+fn corner_at(polygon: &[DVec2], at_m: DVec2) -> Option<usize> {
+    const SAME_CORNER_M: f64 = 1e-9;
+    polygon.iter().position(|corner| corner.distance(at_m) < SAME_CORNER_M)
 }

@@ -87,6 +87,7 @@ impl CutLine {
                 area_m2: as_area_m2(span_m[1] - span_m[0], settings),
                 error_m: estimate.error,
                 kind: CellKind::PolygonPart,
+                side: None,
             });
         }
         if self.reverse == Reverse::Included {

@@ -7,6 +7,7 @@ use crate::bodies::motion::Motion;
 use crate::bodies::road::HalfSpace;
 use crate::bodies::world::World;
 use crate::frame::cells::cell_memory::CellMemory;
+use crate::frame::cells::corner_slide::{ApparentPoints, BorderPlace, RowSide, SlidesOfJoint, SlidesOfOrder};
 use crate::frame::cells::critical_cells::{SplitJoint, split_joint};
 use crate::geometry::antenna::Antenna;
 use crate::geometry::convex_intersection::{bounds, left_of};
@@ -38,6 +39,8 @@ pub(crate) struct Cell {
     /// Bound of the error of every amplitude.
     pub(crate) error_m: f64,
     pub(crate) kind: CellKind,
+    /// Side of the array's row that it stands for; `None` for all pairs of elements.
+    pub(crate) side: Option<RowSide>,
 }
 
 /// Kinds of cells, which are not gathered with each other: the node of a corner is the corner.
@@ -82,9 +85,16 @@ impl CellSettings<'_> {
 }
 
 /// Cells of all joints, the reverse ones behind their own; in the order of the joints.
-pub(crate) fn cells(scatterer: &Scatterer<'_>, joints: &Joints, settings: &CellSettings<'_>) -> Vec<Cell> {
-    let of_joint = |joint: &Joint| cells_of(scatterer, joint, joints.polygon(joint), settings);
-    joined(joints.list.par_iter().map(of_joint).collect())
+pub(crate) fn cells(
+    scatterer: &Scatterer<'_>,
+    (joints, slides): (&Joints, Option<SlidesOfOrder<'_>>),
+    settings: &CellSettings<'_>,
+) -> Vec<Cell> {
+    let of_joint = |(index, joint): (usize, &Joint)| {
+        let slide = slides.and_then(|slides| slides.of_joint(index));
+        cells_of(scatterer, (joint, joints.polygon(joint)), settings, slide)
+    };
+    joined(joints.list.par_iter().enumerate().map(of_joint).collect())
 }
 
 /// Cells in one list, which has room for no more than these.
@@ -111,9 +121,9 @@ pub(crate) fn gathered(
 
 fn cells_of(
     scatterer: &Scatterer<'_>,
-    joint: &Joint,
-    corners_m: &[DVec3],
+    (joint, corners_m): (&Joint, &[DVec3]),
     settings: &CellSettings<'_>,
+    slides: Option<SlidesOfJoint<'_>>,
 ) -> Vec<Cell> {
     let facets = facets_of(scatterer, joint.forward, joint.backward);
     let accuracy = settings.accuracy_of_body[scatterer.node_body(joint.forward)];
@@ -122,11 +132,19 @@ fn cells_of(
     let of_large = settings.refinement * (OF_TERMS * accuracy).min(COARSEST);
     let request = Integration { wavenumbers_per_m, accuracy: of_large, bracket };
     let of_joint = CellsOfJoint { scatterer, joint, facets, settings, side_m, accuracy };
-    let mut cells = match split_joint(scatterer, joint, corners_m, side_m, &request) {
+    let mut cells = match split_joint(scatterer, joint, corners_m, (side_m, slides.is_some()), &request) {
         SplitJoint::Small(frame, polygon_m) => of_joint.squares(&frame, polygon_m),
         SplitJoint::Large(frame, near_m, terms) => {
             let near = near_m.iter().flat_map(|part_m| of_joint.grid_nodes(frame, part_m));
-            near.chain(terms.into_iter().map_while(|term| of_joint.term(term))).collect()
+            let terms = terms.into_iter().map_while(|(term, place)| {
+                let cell = of_joint.term(term)?;
+                let cells = match slides {
+                    Some(slides) => slid(cell, slides, &place),
+                    None => vec![cell],
+                };
+                (cells.len() == 1 || of_joint.has_room_for(1)).then_some(cells)
+            });
+            near.chain(terms.flatten()).collect()
         }
     };
     if joint.reverse == Reverse::Included {
@@ -134,6 +152,18 @@ fn cells_of(
         cells.extend(back);
     }
     cells
+}
+
+/// The cell of a term as it slides with the outline, on each side of the array's row.
+fn slid(cell: Cell, slides: SlidesOfJoint<'_>, place: &BorderPlace) -> Vec<Cell> {
+    let points = [0, 1].map(|end| (cell.apparent_m[end], cell.motion[end]));
+    let of_side = |(side, ends): (Option<RowSide>, ApparentPoints)| Cell {
+        apparent_m: ends.map(|(at_m, _)| at_m),
+        motion: ends.map(|(_, motion)| motion),
+        side,
+        ..cell.clone()
+    };
+    slides.sliding(&points, place).into_iter().map(of_side).collect()
 }
 
 /// Accuracy of the terms of large polygons relative to that of integrals: of several corners less may be left
@@ -164,7 +194,7 @@ impl CellsOfJoint<'_> {
         squares.into_iter().map_while(|piece| self.has_room_for(1).then(|| square(piece))).collect()
     }
 
-    fn term(&self, CriticalPoint { at_m, length_m, amplitudes }: CriticalPoint) -> Option<Cell> {
+    fn term(&self, CriticalPoint { at_m, length_m, amplitudes, .. }: CriticalPoint) -> Option<Cell> {
         let corner_m = 1.0 / highest_per_m(self.settings);
         let area_m2 = as_area_m2(length_m + corner_m, self.settings);
         self.has_room_for(1).then(|| self.cell(CellKind::FixedNode, at_m, area_m2, amplitudes))
@@ -190,6 +220,7 @@ impl CellsOfJoint<'_> {
             area_m2,
             error_m: estimate.error,
             kind,
+            side: None,
         }
     }
 }
@@ -213,6 +244,7 @@ pub(crate) fn reversed(cell: &Cell) -> Cell {
         apparent_m: [cell.apparent_m[1], cell.apparent_m[0]],
         motion: [cell.motion[1], cell.motion[0]],
         amplitudes_m: cell.amplitudes_m.iter().map(transposed).collect(),
+        side: cell.side.map(RowSide::other),
         ..*cell
     }
 }
@@ -270,7 +302,7 @@ fn cut_along(polygon: Vec<DVec2>, axis: DVec2, size_m: f64) -> Vec<Vec<DVec2>> {
 }
 
 /// Key that cells must have in common to be gathered.
-type Key = (u8, CellKind, [u32; MAX_ORDER], [[i64; 3]; 4]);
+type Key = (u8, (CellKind, Option<RowSide>), [u32; MAX_ORDER], [[i64; 3]; 4]);
 
 /// Distance below which fixed nodes are the same point, m.
 const SAME_POINT_M: f64 = 1e-6;
@@ -281,7 +313,8 @@ fn key(cell: &Cell, ends: [Antenna; 2], side_m: f64, quantum_mps: f64) -> Key {
     let side_m = if cell.kind == CellKind::FixedNode { SAME_POINT_M } else { side_m };
     let places = [0, 1].map(|end| cube(-ends[end].towards(cell.apparent_m[end]), side_m));
     let speeds = cell.motion.map(|motion| cube(motion.velocity_mps, quantum_mps));
-    (cell.order, cell.kind, cell.facets.map(|facet| facet.body), [places[0], places[1], speeds[0], speeds[1]])
+    let kind = (cell.kind, cell.side);
+    (cell.order, kind, cell.facets.map(|facet| facet.body), [places[0], places[1], speeds[0], speeds[1]])
 }
 
 /// The sum of a group as seen from its centre of area; named by its strongest member.

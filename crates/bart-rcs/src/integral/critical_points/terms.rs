@@ -38,6 +38,9 @@ const PARTS_OF_CELL: f64 = 8.0;
 pub(crate) struct CriticalPoint {
     /// Its node: a corner, or a point of a side.
     pub(crate) at_m: DVec3,
+    /// Side of the part on which it lies, or at whose start, and its share of the side's length.
+    pub(crate) side: usize,
+    pub(crate) share: f64,
     /// Length of the side that it stands for; zero of a corner.
     pub(crate) length_m: f64,
     pub(crate) amplitudes: Estimate<Vec<Amplitude>>,
@@ -103,21 +106,27 @@ impl Field<'_> {
         give: &mut dyn FnMut(CriticalPoint),
     ) {
         let mut of_corners = vec![CornerFactor::default(); corners_m.len()];
-        let mut give_term =
-            |term: &Term| give(self.critical_point(term, wavenumbers_per_m, variation.allowed));
+        let mut give_all = |terms: &[Term], place: (usize, &dyn Fn(&Term) -> f64)| {
+            for term in terms {
+                let place = (place.0, place.1(term));
+                give(self.critical_point(term, place, wavenumbers_per_m, variation.allowed));
+            }
+        };
         for (index, side) in sides(corners_m).enumerate() {
             let span_m = self.slow_span_m(&side, variation);
             let next = (index + 1) % corners_m.len();
             self.add_ends(&side, span_m, [index, next], &mut of_corners, &mut |at_m, factor| {
-                self.terms_of_corner(at_m, factor, wavenumbers_per_m).iter().for_each(&mut give_term);
+                let terms = self.terms_of_corner(at_m, factor, wavenumbers_per_m);
+                give_all(&terms, (index, &|_| side.share_of(at_m)));
             });
             if span_m[1] > span_m[0] {
                 let terms = self.terms_of_span(&side, span_m, size_m, variation, wavenumbers_per_m);
-                terms.iter().for_each(&mut give_term);
+                give_all(&terms, (index, &|term| side.share_of(term.at_m)));
             }
         }
-        for (corner_m, factor) in corners_m.iter().zip(of_corners).filter(|(_, of)| of.value != 0.0) {
-            self.terms_of_corner(*corner_m, factor, wavenumbers_per_m).iter().for_each(&mut give_term);
+        let with_factors = corners_m.iter().zip(of_corners).enumerate();
+        for (index, (corner_m, factor)) in with_factors.filter(|(_, (_, of))| of.value != 0.0) {
+            give_all(&self.terms_of_corner(*corner_m, factor, wavenumbers_per_m), (index, &|_| 0.0));
         }
     }
 
@@ -235,7 +244,13 @@ impl Field<'_> {
     }
 
     /// A term weighed at its node.
-    fn critical_point(&self, term: &Term, wavenumbers_per_m: &[f64], allowed: f64) -> CriticalPoint {
+    fn critical_point(
+        &self,
+        term: &Term,
+        (side, share): (usize, f64),
+        wavenumbers_per_m: &[f64],
+        allowed: f64,
+    ) -> CriticalPoint {
         let at_m = self.frame.to_world(term.at_m);
         let of_node = Field::new(self.node, at_m, self.accuracy);
         let integrals_m2: Vec<[Complex64; 1]> = term.integrals_m2.iter().map(|of| [*of]).collect();
@@ -243,6 +258,8 @@ impl Field<'_> {
         let largest = value.iter().flatten().flatten().map(|a| a.norm()).fold(0.0, f64::max);
         CriticalPoint {
             at_m,
+            side,
+            share,
             length_m: term.length_m,
             amplitudes: Estimate { value, error: allowed * largest },
         }
@@ -271,6 +288,11 @@ struct PolygonSide {
 impl PolygonSide {
     fn at(&self, at_m: f64) -> DVec2 {
         self.start_m + at_m * self.along
+    }
+
+    /// Share of its length up to a point on it.
+    fn share_of(&self, at_m: DVec2) -> f64 {
+        self.start_m.distance(at_m) / self.length_m
     }
 
     fn outward(&self) -> DVec2 {

@@ -4,7 +4,7 @@
 use crate::setting::*;
 use ::radar::aperture::Preset;
 use artifact::Accuracy;
-use artifact::paths::{ArraySpan, Path, Span};
+use artifact::paths::{ArraySide, ArraySpan, Path, Span};
 use artifact::radar::{Multiplexing, Radar};
 use fmcw_echo::{direct_sum::DirectSum, fast_sum, reference};
 use num_complex::Complex64;
@@ -42,6 +42,17 @@ fn at_place(radar: &Radar, places: u32, place: u32, mut path: Path) -> Path {
     path
 }
 
+/// Each path for pairs whose transmitter is farther along x than the receiver, for the others, or for all.
+fn on_sides_of_array(paths: Vec<Path>) -> Vec<Path> {
+    let (x, back) = ([1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]);
+    let on_side = |(i, mut path): (usize, Path)| {
+        let side = [None, Some([x, back]), Some([back, x])][i % 3];
+        path.curve.array_side = side.map(|[transmit, receive]| ArraySide { transmit, receive, from_m: 0.0 });
+        path
+    };
+    paths.into_iter().enumerate().map(on_side).collect()
+}
+
 fn cubes(radar: &Radar, paths: &[Path]) -> [Vec<Complex64>; 2] {
     let f_c = radar.waveform.centre_frequency_hz();
     [DirectSum::new(radar, f_c, paths).cube(), reference::cube(radar, f_c, paths)]
@@ -55,7 +66,8 @@ fn the_direct_sum_weighs_paths_of_moments_as_the_formula_does() {
         let mut radar = radar(short, &presets()[1], multiplexing);
         radar.schedule.stagger_s = vec![0.0, 2e-6, 5e-6];
         let paths = || random_paths(31, 24);
-        for paths in [spread_over(&radar, 5, paths()), spread_over_array(&radar, 5, paths())] {
+        let on_sides = on_sides_of_array(spread_over_array(&radar, 5, paths()));
+        for paths in [spread_over(&radar, 5, paths()), spread_over_array(&radar, 5, paths()), on_sides] {
             let [got, exact] = cubes(&radar, &paths);
             let db = error_db(&got, &exact);
             println!("{multiplexing:?}: {db:.1} dB");
@@ -72,7 +84,8 @@ fn the_fast_sum_of_paths_of_moments_has_the_error_asked_for() {
         let radar = radar(short, &presets()[1], multiplexing);
         // Each moment has enough for transforms: 200 are asked for at most.
         let body = || body(5, 900, [5.75, 38.0, 0.7], [0.0, -10.0, 0.0]);
-        for paths in [spread_over(&radar, 3, body()), spread_over_array(&radar, 3, body())] {
+        let parts = [spread_over(&radar, 3, body()), spread_over_array(&radar, 3, body())];
+        for paths in parts.into_iter().chain([on_sides_of_array(body())]) {
             let f_c = radar.waveform.centre_frequency_hz();
             let exact = DirectSum::new(&radar, f_c, &paths).cube();
             for asked_db in [-20.0, -40.0, -60.0, -80.0, -100.0] {

@@ -2,7 +2,7 @@
 
 use crate::setting::*;
 use artifact::cube::CubeHeader;
-use artifact::paths::{ArraySpan, Path, Span};
+use artifact::paths::{ArraySide, ArraySpan, Path, Span};
 use artifact::settings::Noise;
 use fmcw_echo::EchoError;
 use num_complex::Complex64;
@@ -69,6 +69,21 @@ fn a_path_that_stands_for_no_place_of_the_array_is_refused() {
     for span in broken {
         let refused = refusal_of_path(|p| p.curve.array_span = Some(span));
         assert!(matches!(refused, EchoError::NoSuchPlace { frame: 0, path: 1, .. }), "{refused}");
+    }
+}
+
+#[test]
+fn a_path_that_stands_for_no_side_of_the_array_is_refused() {
+    let x = [1.0, 0.0, 0.0];
+    let sound = ArraySide { transmit: x, receive: [-1.0, 0.0, 0.0], from_m: 0.0 };
+    let broken = [
+        ArraySide { from_m: f64::NAN, ..sound },
+        ArraySide { transmit: [0.0, f64::NAN, 0.0], ..sound },
+        ArraySide { receive: [0.0, 0.0, 1e300], ..sound },
+    ];
+    for side in broken {
+        let refused = refusal_of_path(|p| p.curve.array_side = Some(side));
+        assert!(matches!(refused, EchoError::NoSuchSide { frame: 0, path: 1, .. }), "{refused}");
     }
 }
 
