@@ -171,7 +171,8 @@ impl PathsFrame {
     /// Part of the frame and of the array that each path stands for, a `numpy.recarray` [n]: first_s, step_s,
     /// moments, moment (of ways that were traced at several moments, each blended with its neighbours),
     /// transmit [3], receive [3], first_m, step_m, places, place (likewise from several places along the
-    /// array's row); NaN and −1 of a path that stands for all of it.
+    /// array's row), side_transmit [3], side_receive [3], side_from_m (of outlines that are those of the
+    /// transmitter or of the receiver); NaN and −1 of a path that stands for all of it.
     #[getter]
     fn spans<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.arrays.spans.view(py, || {
