@@ -75,7 +75,7 @@ pub(crate) fn paths_along(
     parts.trace(&cells, &parts.room())
 }
 
-/// How fine the cells of a table are.
+/// Fineness of a table's cells.
 struct CellFineness<'a> {
     cell_m: f64,
     accuracy_of_body: &'a [f64],
@@ -120,7 +120,7 @@ struct BodyParts<'a> {
     scenery: &'a TracedScene<'a>,
     scatterer: &'a Scatterer<'a>,
     plan: &'a Plan<'a>,
-    /// Where and when they are traced.
+    /// Place and moment at which they are traced.
     node: BlendNode<'a>,
     /// Meetings by order from 1, without orders that no sequence of the node has.
     meetings: Vec<OrderJoints>,

@@ -19,7 +19,7 @@ use wayside::host::failure::Failure;
 
 /// Decibels by which the bodies that are traced anew are finer than what is asked of the frame.
 const FINER_DB: f64 = 15.0;
-/// What the printed error may lie below the true one, which three moments and pairs of elements sample.
+/// Ratio by which the true error, sampled at three moments and pairs of elements, may exceed the printed one.
 const BEYOND: f64 = 1.5;
 /// Share of the accuracy asked by which the printed error may exceed it.
 const MET: f64 = 1.001;

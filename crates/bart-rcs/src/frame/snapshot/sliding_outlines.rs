@@ -191,7 +191,7 @@ struct Probes {
     in_time: Option<[AfterStep; 2]>,
     /// With both ends moved along the row, where they are at one place.
     by_both: Option<[AfterStep; 2]>,
-    /// By the end that is moved along the row.
+    /// With one end moved along the row, indexed by that end.
     by_ends: Option<[[AfterStep; 2]; 2]>,
     step_s: f64,
     ends_m: [DVec3; 2],
@@ -257,7 +257,7 @@ impl Probes {
     }
 }
 
-/// What a motion has beyond another one; none at all if that is rounding.
+/// Excess of a motion over another one; none at all if that is rounding.
 fn beyond(moved: &Motion, body: &Motion) -> Motion {
     const ROUNDING_MPS: f64 = 1e-5;
     let slide = Motion::weighed([(1.0, *moved), (-1.0, *body)].into_iter());
