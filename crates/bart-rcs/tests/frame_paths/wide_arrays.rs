@@ -81,7 +81,7 @@ fn a_car_at_rest_before_a_wide_array_is_as_exact_as_asked() {
 /// A frame that takes its error over is blended from as many places as the measured one.
 #[test]
 fn a_frame_like_one_that_is_blended_over_the_array_is_blended_as_that_one() {
-    let scene = at_rest(-20.0);
+    let scene = at_rest(-25.0);
     let measured = trace(&scene);
     assert!(places(&measured) > 1, "one place does not do");
     let context = FrameContext { like: Some(&measured), ..FrameContext::ALONE };
