@@ -27,7 +27,13 @@ impl FrameSpan {
         self.of_time.is_none() && self.of_whole_array()
     }
 
-    fn of_whole_array(&self) -> bool {
+    /// The same part of the frame for the whole array.
+    pub(crate) fn over_whole_array(self) -> Self {
+        Self { of_array: None, of_side: None, ..self }
+    }
+
+    /// Whether it is all of the array.
+    pub(crate) fn of_whole_array(&self) -> bool {
         self.of_array.is_none() && self.of_side.is_none()
     }
 
@@ -49,13 +55,17 @@ impl FrameSpan {
         (self.of_time.map(of_time), self.of_array.map(of_array), self.of_side.map(of_side))
     }
 
+    /// Share of a pair of a transmit and a receive element, at any time.
+    pub(crate) fn share_of_pair(&self, ends_m: [[f64; 3]; 2]) -> f64 {
+        let on_side = self.of_side.map_or(1.0, |side| side.share(ends_m));
+        on_side * self.of_array.map_or(1.0, |span| span.share(ends_m))
+    }
+
     /// Share of every sample of a chirp between a transmit and a receive element.
     pub(crate) fn shares_of_row(&self, radar: &Radar, transmission: &Transmission) -> Vec<f64> {
         let time_s = |sample: u32| transmission.start_s + f64::from(sample) / radar.waveform.sample_rate_hz;
         let over_time = |sample: u32| self.of_time.map_or(1.0, |span| span.share(time_s(sample)));
-        let ends_m = transmission.ends_m();
-        let on_side = self.of_side.map_or(1.0, |side| side.share(ends_m));
-        let over_array = on_side * self.of_array.map_or(1.0, |span| span.share(ends_m));
+        let over_array = self.share_of_pair(transmission.ends_m());
         (0..radar.waveform.samples).map(|sample| over_array * over_time(sample)).collect()
     }
 

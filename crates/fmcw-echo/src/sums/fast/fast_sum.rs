@@ -161,11 +161,9 @@ struct CoveredSpan<'a> {
 
 impl<'a> CoveredSpan<'a> {
     fn of(whole: &ReceivingRadar<'a>, links: &[Link], part: FrameSpan) -> Self {
-        let of_array = part.of_array;
-        let over_links = of_array.map(|span| {
-            links.iter().map(|link| span.share(whole.transmission(*link, 0.0).ends_m())).collect()
-        });
-        Self { over_links, ..Self::of_time(whole, FrameSpan { of_array: None, ..part }) }
+        let share = |link: &Link| part.share_of_pair(whole.transmission(*link, 0.0).ends_m());
+        let over_links = (!part.of_whole_array()).then(|| links.iter().map(share).collect());
+        Self { over_links, ..Self::of_time(whole, part.over_whole_array()) }
     }
 
     fn of_time(whole: &ReceivingRadar<'a>, part: FrameSpan) -> Self {
