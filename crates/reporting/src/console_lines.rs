@@ -183,7 +183,7 @@ fn worst_error(frames: &[FrameSummary]) -> Vec<String> {
     lines.extend(
         verdict::lines(&frame.accuracy, &frame.error_db).into_iter().map(|line| format!("    {line}")),
     );
-    lines.extend(left_out(frame).into_iter().chain(outweighing(frame)));
+    lines.extend(left_out(frame).into_iter().chain(drawn(frame)).chain(outweighing(frame)));
     lines
 }
 
@@ -195,7 +195,7 @@ fn in_full(number: usize, frame: &FrameSummary) -> Vec<String> {
     )];
     lines
         .extend(verdict::lines(&frame.accuracy, &frame.error_db).into_iter().map(|line| format!("  {line}")));
-    lines.extend(left_out(frame).into_iter().chain(outweighing(frame)));
+    lines.extend(left_out(frame).into_iter().chain(drawn(frame)).chain(outweighing(frame)));
     lines.extend(targets(&frame.targets));
     lines.extend(false_objects(&frame.false_objects));
     lines.extend(standing(&frame.stationary_objects));
@@ -238,6 +238,12 @@ fn left_out(frame: &FrameSummary) -> Option<String> {
     let named: Vec<String> =
         estimated.map(|(name, db)| format!("{name} {}", decibels(db))).chain(others).collect();
     (!named.is_empty()).then(|| format!("  left out by the model: {}", named.join(", ")))
+}
+
+/// Line about the echo that is drawn at random; `None` if none is.
+fn drawn(frame: &FrameSummary) -> Option<String> {
+    let of_meshes_db = frame.model_error_db.small_parts?;
+    Some(format!("  small parts drawn at random: {} of the meshes' echo", decibels(of_meshes_db)))
 }
 
 /// Sentences about parts of the physics that the scene leaves out although they outweigh the computed echo,

@@ -3,7 +3,7 @@
 use crate::document::changes::{self, Change};
 use crate::document::diagnostics::Diagnostics;
 use crate::document::errors::SceneErrors;
-use crate::document::keys::fidelity::FIDELITY;
+use crate::document::keys::fidelity::{FIDELITY, MODEL};
 use crate::document::keys::radar::RADAR;
 use crate::document::keys::scene::{SCENE, SEED};
 use crate::document::section::Section;
@@ -154,7 +154,7 @@ fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
     let fidelity_section = root.section(&FIDELITY);
     let materials = read_scene_materials(root, &fidelity_section, &radar, models);
     models.set_materials(&materials, radar.waveform.centre_frequency_hz());
-    let fidelity = read_fidelity(&fidelity_section);
+    let fidelity = read_fidelity(&fidelity_section, &root.section(&MODEL));
     let targets = read_targets(root, &radar, (&lanes, fidelity.echo), models);
     let recording = read_traffic(root, &radar, frame_interval_s, models);
     let courses = recording

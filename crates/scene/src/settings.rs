@@ -4,8 +4,8 @@ pub(crate) mod physics_keys; // physics that a file specifies
 
 use crate::document::errors::{MapAxis, Rule};
 use crate::document::keys::fidelity::{
-    ACCURACY, BETWEEN_BODIES, BOUNCES, DETAIL, ECHO, EDGES, FOR, MEASURED_EVERY, NODES, PLAN, SIDES, SURFACE,
-    WHEELS,
+    ACCURACY, BETWEEN_BODIES, BOUNCES, DETAIL, ECHO, EDGES, FOR, MEASURED_EVERY, NODES, PLAN, SIDES,
+    SMALL_PARTS, SURFACE, WHEELS,
 };
 use crate::document::keys::key::{DefaultValue, Key};
 use crate::document::keys::kinds::IntegerVector;
@@ -25,7 +25,9 @@ use artifact::Accuracy;
 use artifact::goal::Goal;
 use artifact::radar::{Radar, Sampling};
 use artifact::scene::Intersection;
-use artifact::settings::{DspSettings, EchoMode, Fidelity, Lane, Lanes, Noise, Refine, Sides, Wheels};
+use artifact::settings::{
+    DspSettings, EchoMode, Fidelity, Lane, Lanes, Noise, Refine, Sides, SmallParts, Wheels,
+};
 use num_complex::Complex64;
 
 /// The receiver's noise; absent without `[noise]`.
@@ -122,8 +124,8 @@ fn check_window(section: &Section<'_>, map: [u32; 2], guard: [u32; 2], training:
     }
 }
 
-/// Reads accuracy and physics from the section `[fidelity]`.
-pub(crate) fn read_fidelity(section: &Section<'_>) -> Fidelity {
+/// Reads accuracy and physics from the sections `[fidelity]` and `[model]`.
+pub(crate) fn read_fidelity(section: &Section<'_>, model: &Section<'_>) -> Fidelity {
     let (accuracy, goal) = read_accuracy(section);
     let (echo, wheels) = (section.or_default(&ECHO), section.or_default(&WHEELS));
     check_wheels(section, wheels, echo);
@@ -139,10 +141,23 @@ pub(crate) fn read_fidelity(section: &Section<'_>) -> Fidelity {
         nodes: section.or_default(&NODES),
         echo,
         detail: section.or_default(&DETAIL),
+        small_parts: read_small_parts(model, echo),
         between_bodies: section.or_default(&BETWEEN_BODIES),
         wheels,
         measured_every: section.or_default(&MEASURED_EVERY) as u32,
     }
+}
+
+/// Reads the source of small parts; they are drawn for paths alone.
+fn read_small_parts(model: &Section<'_>, echo: EchoMode) -> SmallParts {
+    let small_parts = model.or_default(&SMALL_PARTS);
+    if (small_parts, echo) == (SmallParts::Statistical, EchoMode::RcsTable) {
+        model.note(
+            SMALL_PARTS.name,
+            Rule::Contradiction { key: SMALL_PARTS.name, other: "echo = \"rcs-table\"" },
+        );
+    }
+    small_parts
 }
 
 /// Refuses turning wheels with tables, for which a body must be rigid during a frame.

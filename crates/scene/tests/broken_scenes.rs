@@ -146,6 +146,7 @@ const CASES: &[Case] = &[
     (NAME, "[fidelity]\nsides = \"both\"\n", "3:9", "it can be `two`, `one`"),
     (NAME, "[fidelity]\necho = \"table\"\n", "3:8", "it can be `paths`, `rcs-table`"),
     (NAME, "[fidelity]\nwheels = \"round\"\n", "3:10", "`wheels` cannot be `round`; it can be `still`, `turning`"),
+    (NAME, "[fidelity]\necho = \"rcs-table\"\n[model]\ndetail = \"statistical\"\n", "5:10", "`detail` and `echo = \"rcs-table\"` exclude one another"),
     (NAME, "[fidelity]\necho = \"rcs-table\"\nwheels = \"turning\"\n", "4:10", "`wheels` and `echo = \"rcs-table\"` exclude one another"),
     (NAME, "[fidelity]\nsides = \"one\"\n[road]\n", "3:9", "`sides` and `[road]` exclude one another"),
     (NAME, "[road]\n[fidelity]\necho = \"rcs-table\"\n", "4:8", "`echo` and `[road]` exclude one another"),

@@ -20,7 +20,9 @@ use std::path::{Path, PathBuf};
 use wayside::Failure;
 use wayside::host::memory::Allowance;
 use wayside::stepwise::bounds::{AZIMUTHS_DEG, BOUNCES, ELEVATIONS_DEG, FREQUENCIES_GHZ, UNIT_SCALES};
-use wayside::stepwise::table_words::{EDGES, NODES, POLARIZATIONS, SIDES, SURFACES, TRANSMISSION};
+use wayside::stepwise::table_words::{
+    EDGES, NODES, POLARIZATIONS, SIDES, SMALL_PARTS, SURFACES, TRANSMISSION,
+};
 use wayside::stepwise::{
     self, DENSITY_PER_WAVELENGTH, DescribedTable, RequestedReceiver, RequestedTable, TableDescription,
 };
@@ -165,13 +167,14 @@ impl Rcs {
 /// those of the antenna in body axes, in degrees: `az_deg` 0 before the front, growing counter-clockwise from
 /// above, `el_deg` above the horizon; left out they are 0°, one direction from ahead. `range_m` is the
 /// antenna's distance in metres, infinite for the far field. `rx_az_deg`, `rx_el_deg` (degrees) and
-/// `rx_range_m` are a receiver that stands still elsewhere. `materials` is a file that says what the mesh's
-/// names of materials stand for, else everything conducts; `transmission="on"` follows waves through its
-/// sheets and needs it, "off" lets nothing through.
+/// `rx_range_m` are a receiver that stands still elsewhere. `detail="statistical"` draws the small parts that
+/// the mesh lacks. `materials` is a file that says what the mesh's names of materials stand for, else
+/// everything conducts; `transmission="on"` follows waves through its sheets and needs it, "off" lets nothing
+/// through.
 #[pyfunction]
 #[pyo3(signature = (mesh, freq_ghz, az_deg=None, el_deg=None, *, range_m=f64::INFINITY, pol="vv", bounces=3,
-    edges="off", nodes="own-edge", surface="flat", sides="two", accuracy_db=-40.0, rx_az_deg=None,
-    rx_el_deg=None, rx_range_m=None, unit_scale=None, materials=None, transmission="off",
+    edges="off", nodes="own-edge", surface="flat", detail="mesh", sides="two", accuracy_db=-40.0,
+    rx_az_deg=None, rx_el_deg=None, rx_range_m=None, unit_scale=None, materials=None, transmission="off",
     memory_limit_mib=None, progress=None))]
 #[allow(clippy::too_many_arguments, reason = "keywords of Python, each with a name where it is given")]
 pub(crate) fn rcs(
@@ -186,6 +189,7 @@ pub(crate) fn rcs(
     edges: &str,
     nodes: &str,
     surface: &str,
+    detail: &str,
     sides: &str,
     accuracy_db: f64,
     rx_az_deg: Option<f64>,
@@ -214,6 +218,7 @@ pub(crate) fn rcs(
         sides: meaning("sides", sides, &SIDES)?,
         edges: meaning("edges", edges, &EDGES)?,
         surface: meaning("surface", surface, &SURFACES)?,
+        small_parts: meaning("detail", detail, &SMALL_PARTS)?,
         accuracy_db: document::accuracy_db(accuracy_db)?,
         mesh: mesh.clone(),
         materials: materials.clone(),

@@ -58,6 +58,16 @@ impl Detail {
     }
 }
 
+/// Source of the parts of a body that are smaller than its mesh resolves: grilles, lamps, gaps, under-body.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum SmallParts {
+    /// The mesh alone: parts that it lacks do not scatter.
+    #[default]
+    OfMesh,
+    /// The mesh, and random small scatterers on its lit surface with a published mean level.
+    Statistical,
+}
+
 /// Diffraction by edges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Edges {
@@ -139,6 +149,8 @@ pub struct Fidelity {
     pub echo: EchoMode,
     /// Level of detail: how much of the paths the echo is made of.
     pub detail: Detail,
+    /// Source of the parts that are smaller than meshes resolve.
+    pub small_parts: SmallParts,
     /// Paths over several bodies.
     pub between_bodies: BetweenBodies,
     /// Wheels of meshes that declare any.

@@ -105,11 +105,14 @@ pub struct ModelError {
     pub between_bodies: Option<f64>,
     /// Echoes from behind sheets, where waves are not traced through them.
     pub transmission: Option<f64>,
+    /// Echo of small parts that is drawn at random in place of a mesh that has them: the model's share of the
+    /// computed echo.
+    pub small_parts: Option<f64>,
 }
 
 impl ModelError {
     /// The sources, named as in `summary.json`.
-    pub fn sources(&self) -> [(&'static str, Option<f64>); 7] {
+    pub fn sources(&self) -> [(&'static str, Option<f64>); 8] {
         [
             ("bounces", self.bounces),
             ("nodes", self.nodes),
@@ -118,6 +121,7 @@ impl ModelError {
             ("road", self.road),
             ("between_bodies", self.between_bodies),
             ("transmission", self.transmission),
+            ("small_parts", self.small_parts),
         ]
     }
 }

@@ -15,7 +15,7 @@ pub struct Paths;
 
 impl Schema for Paths {
     const NAME: &'static str = "paths";
-    const VERSION: u32 = 13;
+    const VERSION: u32 = 14;
     type Header = PathsHeader;
     type Frame = PathsFrame;
 

@@ -11,7 +11,7 @@ pub struct Rcs;
 
 impl Schema for Rcs {
     const NAME: &'static str = "rcs";
-    const VERSION: u32 = 7;
+    const VERSION: u32 = 8;
     type Header = RcsHeader;
     type Frame = RcsFrame;
 }

@@ -14,7 +14,7 @@ pub struct Scene;
 
 impl Schema for Scene {
     const NAME: &'static str = "scene";
-    const VERSION: u32 = 17;
+    const VERSION: u32 = 18;
     type Header = SceneHeader;
     type Frame = SceneFrame;
 }

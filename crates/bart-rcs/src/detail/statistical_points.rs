@@ -78,7 +78,8 @@ impl PointModel {
     }
 
     fn point(&self, radar: &Radar, seed: u64, target: u32, index: u64) -> Path {
-        let [place, phase, radius, angle] = shares(seed, target, index);
+        let [place, phase, radius, angle] =
+            seed::shares(seed, "bart-rcs/statistical points", &[target.into(), index]);
         // Box–Muller (1958); 1 − radius is never 0.
         let normal = (-2.0 * (1.0 - radius).ln()).sqrt() * (TAU * angle).cos();
         let [mean, deviation] = self.log_level;
@@ -95,15 +96,4 @@ impl PointModel {
 fn level(radar: &Radar, path: &Path) -> f64 {
     let (p, q) = radar.array.polarization.indices();
     path.amplitude_m[p][q].norm_sqr()
-}
-
-/// Four uniform numbers in [0, 1).
-fn shares(seed: u64, target: u32, index: u64) -> [f64; 4] {
-    let key = seed::key(seed, "bart-rcs/statistical points", &[target.into(), index]);
-    let mut shares = [0.0; 4];
-    for (share, bytes) in shares.iter_mut().zip(key.chunks_exact(8)) {
-        let bits = bytes.iter().fold(0_u64, |all, byte| all << 8 | u64::from(*byte));
-        *share = (bits >> 11) as f64 / (1_u64 << 53) as f64;
-    }
-    shares
 }

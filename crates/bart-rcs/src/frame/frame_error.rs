@@ -171,6 +171,11 @@ impl FrameReference {
         amplitude_ratio(mean_difference(&total_m, &other_m), mean(&total_m))
     }
 
+    /// Mean power |S|² over frequency, all orders, m².
+    pub(crate) fn power_m2(&self) -> f64 {
+        mean(&self.total_m())
+    }
+
     /// Scattering amplitude summed over all orders, over frequency.
     fn total_m(&self) -> Vec<Complex64> {
         total(self.by_order_m.iter().cloned(), self.frequencies_hz.len())

@@ -5,6 +5,7 @@ use crate::bodies::body_gains::BodyGains;
 use crate::bodies::models::Models;
 use crate::bodies::road::check_road;
 use crate::frame::blends::blending::{split, split_alike};
+use crate::frame::cells::small_part_paths::{relative_to, small_part_paths};
 use crate::frame::frame_error::target_error::target_errors;
 use crate::frame::frame_error::{FrameReference, reference};
 use crate::frame::left_out::between_bodies::between_bodies_left_out;
@@ -77,7 +78,7 @@ fn traced(scenery: &TracedScene<'_>) -> Result<PathsFrame, BartError> {
     let (reference, second_bytes) = with_second(scenery, reference)?;
     let tessellation = tessellation(scenery, &reference, skin)?;
     let points = point_paths(header, frame);
-    let (seen, table, has_bodies) = {
+    let (seen, table, small, has_bodies) = {
         let snapshot = scenery.at(plan.middle_s, [plan.position_m; 2])?;
         let scatterer = snapshot.scatterer(plan, Phase::Integrating);
         let fit = Fit::new(scenery, &scatterer, &points, &reference);
@@ -85,20 +86,23 @@ fn traced(scenery: &TracedScene<'_>) -> Result<PathsFrame, BartError> {
             let beside = scenery.with_held_bytes(snapshot.bytes_beside() + others);
             split(&beside, table, &points, &reference)
         })?;
-        (FrameFindings::of(&snapshot, plan), table, !snapshot.world.facets().is_empty())
+        let small = small_part_paths(&scatterer, plan);
+        (FrameFindings::of(&snapshot, plan), table, small, !snapshot.world.facets().is_empty())
     };
     let errors = target_errors(plan, &table, &reference);
     let fineness = table.fineness.with_errors(errors);
+    let small_parts = (!small.is_empty()).then(|| relative_to(reference.power_m2(), &small, plan));
     let measured = Measured {
         error: ErrorBudget { tessellation, ..table.error.budget() },
-        model_error: left_out,
+        model_error: ModelError { small_parts, ..left_out },
         dropped_power_ratio: table.error.dropped_at_most.powi(2),
         fineness: has_bodies.then_some(fineness),
         origin: ErrorOrigin::Measured,
         // The moments are traced while the frame's middle is held.
         bytes: check_bytes.max(second_bytes).max(table.bytes + seen.bytes),
     };
-    Ok(paths_frame(plan, frame, seen, table.paths, measured))
+    let paths = table.paths.into_iter().chain(small).collect();
+    Ok(paths_frame(plan, frame, seen, paths, measured))
 }
 
 /// Extends the reference by a second pair of elements if the array is wide; also returns the memory used,
@@ -146,15 +150,15 @@ fn traced_like(
     fineness: &Fineness,
 ) -> Result<PathsFrame, BartError> {
     let (plan, frame) = (scenery.plan, scenery.frame);
-    let (seen, kept) = {
+    let (seen, kept, small) = {
         let snapshot = scenery.at(plan.middle_s, [plan.position_m; 2])?;
-        (
-            FrameFindings::of(&snapshot, plan),
-            paths_as_fine(scenery, &snapshot.scatterer(plan, Phase::Integrating), fineness)?,
-        )
+        let scatterer = snapshot.scatterer(plan, Phase::Integrating);
+        let kept = paths_as_fine(scenery, &scatterer, fineness)?;
+        (FrameFindings::of(&snapshot, plan), kept, small_part_paths(&scatterer, plan))
     };
     let mut paths = split_alike(scenery, kept, fineness)?;
     paths.extend(point_paths(plan.header, frame));
+    paths.extend(small);
     let taken_over = Measured {
         error: ErrorBudget { detail: None, ..measured.error },
         model_error: measured.model_error,

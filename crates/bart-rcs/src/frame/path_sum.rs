@@ -124,7 +124,7 @@ impl PathView {
     }
 
     /// Factor R_tR_r/(L₁L₂) times the path's share at that time, and length L₁ + L₂ − R_t − R_r.
-    fn spread_and_length_m(&self, path: &Path) -> (f64, f64) {
+    pub(crate) fn spread_and_length_m(&self, path: &Path) -> (f64, f64) {
         let [from_tx_m, from_rx_m] = apparent_m(path, self.seconds);
         let (l1, l2) = (from_tx_m.distance(self.transmitter_m), from_rx_m.distance(self.receiver_m));
         let (r_t, r_r) =

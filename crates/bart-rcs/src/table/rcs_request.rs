@@ -6,7 +6,7 @@ use crate::geometry::antenna::Antenna;
 use crate::integral::polarization::zenith_h;
 use artifact::Accuracy;
 use artifact::radar::Polarization;
-use artifact::settings::{Edges, NodeRule, Sides, Surface};
+use artifact::settings::{Edges, NodeRule, Sides, SmallParts, Surface};
 use artifact::units::SPEED_OF_LIGHT_MPS;
 use glam::{DQuat, DVec3};
 use radar::standpoint::Standpoint;
@@ -37,13 +37,16 @@ pub struct RcsRequest {
     pub edges: Edges,
     /// Surface that the facets represent.
     pub surface: Surface,
+    /// Source of the parts that are smaller than the mesh resolves; random ones are drawn with the seed 0.
+    pub small_parts: SmallParts,
     /// Relative amplitude error allowed over the whole table; limited to −160 dB.
     pub accuracy: Accuracy,
 }
 
 impl RcsRequest {
     /// S over three axes, with the defaults of `wayside rcs`: one antenna for both directions, infinitely
-    /// far; vv; three bounces, the nodes' own edges; two sides of flat facets without diffraction; −40 dB.
+    /// far; vv; three bounces, the nodes' own edges; two sides of flat facets without diffraction or drawn
+    /// parts; −40 dB.
     pub fn over(frequency_hz: Vec<f64>, elevation_rad: Vec<f64>, azimuth_rad: Vec<f64>) -> Self {
         Self {
             frequency_hz,
@@ -57,6 +60,7 @@ impl RcsRequest {
             sides: Sides::Two,
             edges: Edges::Ignored,
             surface: Surface::Flat,
+            small_parts: SmallParts::OfMesh,
             accuracy: Accuracy::from_db(-40.0),
         }
     }

@@ -5,6 +5,7 @@ use crate::beams::beam::{BeamTree, TraceSettings};
 use crate::bodies::world::World;
 use crate::joins::join::tree_order;
 use crate::joins::scatterer::check_order;
+use crate::joins::small_parts::sum_of_small_parts;
 use crate::run_control::cancellation::CancellationCheck;
 use crate::run_control::error::BartError;
 use crate::run_control::memory::{MemoryLimit, memory_estimate_bytes};
@@ -19,7 +20,7 @@ use crate::table::measured_aspects::{ALL_UP_TO, MeasuredAspects, interpolation_e
 use crate::table::rcs_request::{Aspect, RcsRequest, traced_aspects};
 use crate::table::skin_comparison::{SkinComparison, skin};
 use artifact::scene::Mesh;
-use artifact::settings::{Edges, NodeRule};
+use artifact::settings::{Edges, NodeRule, SmallParts};
 use artifact::units::amplitude_ratio;
 use artifact::{ErrorBudget, ModelError};
 use num_complex::Complex64;
@@ -191,6 +192,9 @@ pub fn rcs_within(
     result.error.tessellation = other.tessellation(&world)?;
     result.model_error.transmission = other.transmission_left_out()?;
     result.far_field = far_field_error(&world, request, &settings, &table, cancellation)?;
+    if request.small_parts == SmallParts::Statistical {
+        sweep.add_small_parts(&mut result, &settings)?;
+    }
     result.seconds.trace += trace;
     result.seconds.check += meter.total_s() - start_s;
     Ok(result)
@@ -316,6 +320,27 @@ struct FineTable {
 }
 
 impl SharedByAspects<'_> {
+    /// Adds the small parts drawn on what both ends see at each aspect, with their share of the whole.
+    fn add_small_parts(&self, result: &mut RcsResult, settings: &AspectSettings) -> Result<(), BartError> {
+        let (p, q) = settings.polarization.indices();
+        let of = |aspect: &Aspect| {
+            let ends = [aspect.transmit, aspect.receive.unwrap_or(aspect.transmit)];
+            let drawn = sum_of_small_parts(self.world, ends, &settings.trace, &settings.wavenumbers_per_m)?;
+            Ok(drawn.iter().map(|s| s[p][q]).collect())
+        };
+        let drawn = self.aspects.par_iter().map(of).collect::<Result<Vec<Vec<Complex64>>, _>>()?;
+        let power = |s: &[Complex64]| s.iter().map(|s| s.norm_sqr()).sum::<f64>();
+        let drawn_power: f64 = drawn.iter().map(|of| power(of)).sum();
+        result.model_error.small_parts = Some(amplitude_ratio(drawn_power, power(&result.amplitude_m)));
+        let by_frequency =
+            (0..settings.wavenumbers_per_m.len()).flat_map(|f| drawn.iter().map(move |s| s[f]));
+        for (index, added) in by_frequency.enumerate() {
+            result.amplitude_m[index] += added;
+            result.by_order_m[0][index] += added;
+        }
+        Ok(())
+    }
+
     /// Table with all aspects integrated more finely, and some traced more finely as needed, until both
     /// errors are as requested or no further improvement is possible.
     fn fine_table(&self, mut settings: AspectSettings, asked: f64) -> Result<FineTable, BartError> {

@@ -5,7 +5,7 @@ use artifact::material::MaterialMap;
 use artifact::radar::Radar;
 use artifact::scene::{Intersection, Mesh, Pose, Role, SceneFrame, SceneHeader, Target, TargetKind};
 use artifact::settings::{
-    BetweenBodies, Detail, EchoMode, Edges, Fidelity, NodeRule, Noise, Sides, Surface, Wheels,
+    BetweenBodies, Detail, EchoMode, Edges, Fidelity, NodeRule, Noise, Sides, SmallParts, Surface, Wheels,
 };
 use radar::aperture::Preset;
 use radar::paper;
@@ -64,6 +64,7 @@ fn fidelity() -> Fidelity {
         nodes: NodeRule::Middle,
         echo: EchoMode::Paths,
         detail: Detail::Paths,
+        small_parts: SmallParts::OfMesh,
         between_bodies: BetweenBodies::Traced,
         wheels: Wheels::Still,
         measured_every: 1,

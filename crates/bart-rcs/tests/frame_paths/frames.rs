@@ -5,7 +5,7 @@ use artifact::paths::{Amplitude, Path, PathsFrame};
 use artifact::radar::Polarization;
 use artifact::scene::{Intersection, Mesh, Pose, Role, SceneFrame, SceneHeader, Target, TargetKind};
 use artifact::settings::{
-    BetweenBodies, Detail, EchoMode, Edges, Fidelity, NodeRule, Noise, Sides, Surface, Wheels,
+    BetweenBodies, Detail, EchoMode, Edges, Fidelity, NodeRule, Noise, Sides, SmallParts, Surface, Wheels,
 };
 use artifact::{Accuracy, Radar, Waveform};
 use bart_rcs::{FrameContext, PathView, RcsRequest, Standpoint, Tracer, rcs, scattering_of_paths};
@@ -65,6 +65,7 @@ pub(crate) fn scene(
             nodes: NodeRule::Middle,
             echo: EchoMode::Paths,
             detail: Detail::Paths,
+            small_parts: SmallParts::OfMesh,
             between_bodies: BetweenBodies::Traced,
             wheels: Wheels::Still,
             measured_every: 1,

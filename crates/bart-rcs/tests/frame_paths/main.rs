@@ -12,6 +12,7 @@ mod frames;
 mod patterns;
 mod sidelobes;
 mod sliding_outlines;
+mod small_parts;
 mod sub_frames;
 mod tables;
 mod target_errors;

@@ -5,7 +5,7 @@ use artifact::cube::{CubeHeader, SampleUnit};
 use artifact::envelope::fingerprint;
 use artifact::radar::Hardware;
 use artifact::scene::{SceneFrame, SceneHeader, TargetKind};
-use artifact::settings::{Detail, EchoMode, Fidelity, Noise};
+use artifact::settings::{Detail, EchoMode, Fidelity, Noise, SmallParts};
 
 /// All inputs of one frame of one stage.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
@@ -70,7 +70,8 @@ impl SceneParts {
 
 /// Seed, where points are drawn with it; nothing else in a frame's paths is random.
 fn seed_of_points(header: &SceneHeader) -> Option<u64> {
-    (header.fidelity.detail == Detail::Statistical).then_some(header.seed)
+    let Fidelity { detail, small_parts, .. } = header.fidelity;
+    (detail == Detail::Statistical || small_parts == SmallParts::Statistical).then_some(header.seed)
 }
 
 /// Keys of one frame along the chain.
@@ -232,6 +233,7 @@ mod tests {
         header.road = Some(Road { material: asphalt, rms_height_m: 1e-3 });
         header.backscatter = Some(Backscatter { gamma: 0.01 });
         header.fidelity.goal = Some(Goal::Cube);
+        header.fidelity.small_parts = SmallParts::Statistical;
         header.noise = Noise::Figure { noise_figure_db: 12.0, temperature_k: 290.0 };
         let (azimuth_rad, elevation_rad) = (vec![-1.0, 0.0, 1.0], vec![0.0]);
         let table = PatternTable { azimuth_rad, elevation_rad, amplitude: vec![0.1, 1.0, 0.1] };

@@ -67,6 +67,9 @@ pub struct ModelErrorFigures {
     pub between_bodies: Option<f64>,
     /// Echoes from behind sheets, where waves are not followed through them.
     pub transmission: Option<f64>,
+    /// Echo of small parts that is drawn at random, relative to that of the meshes.
+    #[serde(default)]
+    pub small_parts: Option<f64>,
     /// Shading between bodies, which far-field tables leave out: always `None`, because it is not estimated.
     #[serde(default)]
     pub shading: Option<f64>,
@@ -83,11 +86,13 @@ impl ModelErrorFigures {
             road: db(error.road),
             between_bodies: db(error.between_bodies),
             transmission: db(error.transmission),
+            small_parts: db(error.small_parts),
             shading: None,
         }
     }
 
-    /// The sources in the order of their names, in words, dB.
+    /// The parts that are left out, in the order of their names, in words, dB; not the small parts, which are
+    /// added.
     pub fn sources(&self) -> [(&'static str, Option<f64>); 7] {
         [
             ("between bodies", self.between_bodies),

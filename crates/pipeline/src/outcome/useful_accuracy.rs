@@ -18,14 +18,16 @@ impl UsefulAccuracy {
     ///
     /// Errors from parts of the physics that a scene's key omits (edges, road, paths between bodies,
     /// transmission) do not count: they describe the difference to another scene, and that of the road
-    /// exceeds the echo of a motorcycle. Facets of a curved skin are refined to the requested accuracy, so
-    /// their share counts only if it is larger: then the mesh allows no better.
+    /// exceeds the echo of a motorcycle. Small parts drawn at random count: theirs is one of many possible
+    /// echoes. Facets of a curved skin are refined to the requested accuracy, so their share counts only if
+    /// it is larger: then the mesh allows no better.
     pub(crate) fn of(asked: Accuracy, error: &ErrorBudget, model: &ModelError) -> Option<Self> {
         let mesh = error.tessellation.filter(|amplitude| *amplitude > asked.amplitude());
         let all = [
             ("nodes", model.nodes),
             ("bounces", model.bounces),
             ("far field", model.far_field),
+            ("small parts", model.small_parts),
             ("tessellation of the mesh", mesh),
         ];
         let known =
@@ -52,6 +54,8 @@ mod tests {
         assert_eq!(found(ErrorBudget::default(), model), Some(largest));
         let table = ModelError { far_field: Some(0.4), ..model };
         assert_eq!(found(ErrorBudget::default(), table).map(|error| error.name), Some("far field"));
+        let drawn = ModelError { small_parts: Some(1.5), ..table };
+        assert_eq!(found(ErrorBudget::default(), drawn).map(|error| error.name), Some("small parts"));
         assert_eq!(found(ErrorBudget::default(), ModelError::default()), None);
     }
 

@@ -150,6 +150,9 @@ pub(super) fn errors(frame: &FrameSummary) -> Markup {
         thead { tr { th { "relative to the echo" } th { "dB" } } }
         tbody {
             @for (name, db) in known { tr { td { (name) } td { (rounded(db, 1)) } } }
+            @if let Some(db) = frame.model_error_db.small_parts {
+                tr { td { "model: small parts drawn at random" } td { (rounded(db, 1)) } }
+            }
             @for (name, db) in of_model { tr { td { "model: " (name) } td { (rounded(db, 1)) } } }
             @if console_lines::higher_orders_unknown(frame) {
                 tr { td { "model: bounces" } td { "not estimated (one order alone)" } }

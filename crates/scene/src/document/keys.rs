@@ -36,6 +36,7 @@ pub const TABLES: &[Table] = &[
     processing::NOISE,
     processing::DSP,
     fidelity::FIDELITY,
+    fidelity::MODEL,
     materials::MATERIAL,
     materials::LAYER,
     lanes::INTERSECTION,

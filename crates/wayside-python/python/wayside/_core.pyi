@@ -54,6 +54,7 @@ def rcs(
     edges: str = "off",
     nodes: str = "own-edge",
     surface: str = "flat",
+    detail: str = "mesh",
     sides: str = "two",
     accuracy_db: float = ...,
     rx_az_deg: float | None = None,
@@ -73,9 +74,10 @@ def rcs(
     those of the antenna in body axes, in degrees: `az_deg` 0 before the front, growing counter-clockwise from
     above, `el_deg` above the horizon; left out they are 0°, one direction from ahead. `range_m` is the
     antenna's distance in metres, infinite for the far field. `rx_az_deg`, `rx_el_deg` (degrees) and
-    `rx_range_m` are a receiver that stands still elsewhere. `materials` is a file that says what the mesh's
-    names of materials stand for, else everything conducts; `transmission="on"` follows waves through its
-    sheets and needs it, "off" lets nothing through.
+    `rx_range_m` are a receiver that stands still elsewhere. `detail="statistical"` draws the small parts that
+    the mesh lacks. `materials` is a file that says what the mesh's names of materials stand for, else
+    everything conducts; `transmission="on"` follows waves through its sheets and needs it, "off" lets nothing
+    through.
     """
 
 @final

@@ -15,11 +15,11 @@ use crate::program::values::{
 };
 use crate::program::values::{full_scale, scale, shard, step, vehicle_name};
 use crate::stepwise::DENSITY_PER_WAVELENGTH;
-use crate::stepwise::table_words::{EDGES, NODES, POLARIZATIONS, SIDES, SURFACES, TRANSMISSION};
+use crate::stepwise::table_words::{EDGES, NODES, POLARIZATIONS, SIDES, SMALL_PARTS, SURFACES, TRANSMISSION};
 use artifact::material::Transmission;
 use artifact::radar::Polarization;
 use artifact::seed::SEEDS;
-use artifact::settings::{Edges, NodeRule, Sides, Surface};
+use artifact::settings::{Edges, NodeRule, Sides, SmallParts, Surface};
 use clap::{Args, Parser, Subcommand};
 use formats::devices::{Board, IqOrder, Lanes};
 use pipeline::chain::cache::CacheLocation;
@@ -241,6 +241,10 @@ pub struct RcsArguments {
     /// Surface model: flat facets, or the curved skin that the vertex normals define.
     #[arg(long, default_value = "flat", value_parser = one_of(SURFACES))]
     pub(crate) surface: Surface,
+    /// Small parts that the mesh lacks: none, or random ones with the published floor of a car
+    /// (docs/decisions/small-parts.md).
+    #[arg(long, default_value = "mesh", value_parser = one_of(SMALL_PARTS))]
+    pub(crate) detail: SmallParts,
     /// Table of the mesh's materials (docs/materials.md); without it everything is a perfect conductor.
     #[arg(long, value_name = "FILE.toml")]
     pub(crate) materials: Option<PathBuf>,

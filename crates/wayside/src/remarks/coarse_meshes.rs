@@ -2,7 +2,7 @@
 
 use crate::remarks::vehicles::vehicles;
 use artifact::scene::{Mesh, SceneHeader};
-use artifact::settings::Class;
+use artifact::settings::{Class, SmallParts};
 use std::collections::BTreeMap;
 
 /// Number of triangles below which a car is coarse: real cars with fewer are on average 13 dB below the
@@ -11,17 +11,19 @@ const COARSE: usize = 4_000;
 /// Length below which a mesh is not a car, m.
 const SHORTEST_M: f64 = 2.5;
 
-/// Remark on each coarse mesh of a car that is not one of the project's own.
+/// Remark on each coarse mesh of a car that is not one of the project's own, unless small parts are drawn.
 pub(super) fn remarks(header: &SceneHeader) -> Vec<String> {
+    let draws_small_parts = header.fidelity.small_parts == SmallParts::Statistical;
     let coarse: BTreeMap<&String, usize> = vehicles(header)
+        .filter(|_| !draws_small_parts)
         .filter(|(class, model, mesh)| *class == Class::Car && is_coarse(model, mesh))
         .map(|(_, model, mesh)| (model, mesh.triangles.len()))
         .collect();
     let remark = |(model, triangles): (&String, usize)| {
         format!(
             "note: {model}: {triangles} triangles: seen from 10° above, cars of fewer than {COARSE} lie 13 dB \
-             below the published level in the mean, 11 dB below those of over 20,000 \
-             (docs/validation/published-levels.md)"
+             below the published level in the mean, 11 dB below those of over 20,000; [model] detail = \
+             \"statistical\" draws the parts that they lack (docs/validation/published-levels.md)"
         )
     };
     coarse.into_iter().map(remark).collect()

@@ -6,7 +6,7 @@ use super::methods::{decibels, error};
 use artifact::Accuracy;
 use artifact::radar::Polarization;
 use artifact::scene::Mesh;
-use artifact::settings::{Edges, NodeRule, Sides, Surface};
+use artifact::settings::{Edges, NodeRule, Sides, SmallParts, Surface};
 use bart_rcs::{RcsRequest, Standpoint, rcs};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
@@ -63,6 +63,7 @@ fn request(rng: &mut ChaCha12Rng, bands_hz: &[f64], asked_db: f64) -> RcsRequest
         sides: one_of(rng, &[Sides::Two, Sides::One]),
         edges: one_of(rng, &[Edges::Ignored, Edges::FirstOrder]),
         surface: if rng.random_bool(0.15) { Surface::Smooth } else { Surface::Flat },
+        small_parts: SmallParts::OfMesh,
         accuracy: Accuracy::from_db(asked_db),
     }
 }

@@ -119,6 +119,21 @@ fn an_accuracy_that_was_not_reached_is_said_with_what_limits_it_and_what_would_h
     assert!(!advice.as_str().unwrap_or_default().contains("Limited by"), "{advice}");
 }
 
+#[test]
+fn small_parts_that_are_drawn_are_told() {
+    let place = Workplace::new();
+    let scene = SMALL_SCENE.replace("frames = 2", "frames = 1").replace("corner.obj", "motorcycle-street");
+    write(&place, "small.toml", &scene);
+    assert!(!place.run("run small.toml --out out --quiet").contains("small parts drawn"));
+    let share_db =
+        || place.summary("out/summary.json")["frames"][0]["model_error_db"]["small_parts"].as_f64();
+    assert_eq!(share_db(), None);
+    write(&place, "small.toml", &format!("{scene}\n[model]\ndetail = \"statistical\"\n"));
+    let told = place.run("run small.toml --out out --quiet");
+    assert!(told.contains("small parts drawn at random: "), "{told}");
+    assert!(share_db().unwrap().abs() < 30.0);
+}
+
 /// A van catches up with a bus: what three bounces send between them ends at outlines that slide by about two
 /// cycles while the frame lasts, so at both of its ends little seems to change. No cells are small enough.
 #[test]

@@ -22,6 +22,25 @@ pub(crate) fn is_large(extent_m: DVec2, size_m: f64) -> bool {
     (extent_m / size_m).ceil().max(DVec2::ONE).element_product() > many
 }
 
+/// A joint's polygon in its plane.
+pub(crate) struct LaidOut {
+    frame: PlaneFrame,
+    polygon: Vec<DVec2>,
+}
+
+impl LaidOut {
+    pub(crate) fn of(scatterer: &Scatterer<'_>, joint: &Joint, corners_m: &[DVec3]) -> Self {
+        let frame = PlaneFrame::new(corners_m[0], scatterer.forward(joint).lit_normal);
+        Self { frame, polygon: corners_m.iter().map(|c| frame.plane_from_world(*c)).collect() }
+    }
+
+    /// Whether it would be cut into many cells.
+    pub(crate) fn is_large(&self, size_m: f64) -> bool {
+        let [low, high] = bounds(&self.polygon);
+        is_large(high - low, size_m)
+    }
+}
+
 /// A polygon in its plane, as cells take it.
 pub(crate) enum SplitJoint {
     /// To be cut into cells.
@@ -39,10 +58,10 @@ pub(crate) fn split_joint(
     (size_m, slides): (f64, bool),
     request: &Integration<'_>,
 ) -> SplitJoint {
-    let frame = PlaneFrame::new(corners_m[0], scatterer.forward(joint).lit_normal);
-    let polygon: Vec<DVec2> = corners_m.iter().map(|c| frame.plane_from_world(*c)).collect();
-    let [low, high] = bounds(&polygon);
-    if !slides && !is_large(high - low, size_m) {
+    let laid_out = LaidOut::of(scatterer, joint, corners_m);
+    let is_small = !slides && !laid_out.is_large(size_m);
+    let LaidOut { frame, polygon } = laid_out;
+    if is_small {
         return SplitJoint::Small(frame, polygon);
     }
     let Integration { wavenumbers_per_m, accuracy, bracket } = *request;

@@ -7,12 +7,10 @@ use crate::beams::body_sequences::BodySequences;
 use crate::bodies::motion::Motion;
 use crate::frame::blends::axis::BlendAxis;
 use crate::frame::cells::corner_slide::{CornerSlide, JointSlides, OutlineSlides};
-use crate::frame::cells::critical_cells::is_large;
+use crate::frame::cells::critical_cells::LaidOut;
 use crate::frame::cells::path_cells::{facets_of, motions};
 use crate::frame::snapshot::sliding_outlines::shadow_lines::LitSides;
 use crate::frame::snapshot::{BlendNode, TracedScene};
-use crate::geometry::convex_intersection::bounds;
-use crate::geometry::plane_frame::PlaneFrame;
 use crate::joins::joint::{Joint, Joints};
 use crate::joins::scatterer::Scatterer;
 use crate::run_control::error::BartError;
@@ -20,7 +18,7 @@ use crate::run_control::memory::with_joints;
 use crate::run_control::progress::Phase;
 use crate::table::order_joints::OrderJoints;
 use artifact::paths::Facet;
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Share of the frame by which the beams before and after are apart from the moment.
@@ -46,12 +44,9 @@ pub(crate) fn has_sliding_corners(scatterer: &Scatterer<'_>, meetings: &[OrderJo
 
 fn may_slide(scatterer: &Scatterer<'_>, joints: &Joints, joint: &Joint, size_m: f64) -> bool {
     let corners_m = joints.polygon(joint);
-    let frame = PlaneFrame::new(corners_m[0], scatterer.forward(joint).lit_normal);
-    let polygon: Vec<DVec2> = corners_m.iter().map(|c| frame.plane_from_world(*c)).collect();
-    let [low, high] = bounds(&polygon);
     let of_facet = scatterer.world.facet(scatterer.forward(joint).facet).corners_m;
     let is_own = |corner: &DVec3| of_facet.iter().any(|own| own.distance(*corner) < SAME_CORNER_M);
-    is_large(high - low, size_m) && !corners_m.iter().all(is_own)
+    !corners_m.iter().all(is_own) && LaidOut::of(scatterer, joint, corners_m).is_large(size_m)
 }
 
 /// Slides of the corners of all large polygons, for cells of `size_m`, as traced at a node;
@@ -64,10 +59,7 @@ pub(crate) fn outline_slides(
 ) -> Result<OutlineSlides, BartError> {
     let plan = scenery.plan;
     let sliding = SlidingJoint::all(scatterer, meetings, SHARE_OF_CELL * size_m);
-    let mut ways = BodySequences::default();
-    for of in &sliding {
-        ways.add(&of.way.0.iter().map(|facet| facet.body).collect::<Vec<_>>());
-    }
+    let ways = ways_of(&sliding);
     let held_bytes = with_joints(scatterer.trees.bytes()) + scatterer.world.placed_bytes() as u64;
     let beside = scenery.with_held_bytes(held_bytes);
     let corners_at = |after_s: f64, off_m: [f64; 2]| {
@@ -77,24 +69,7 @@ pub(crate) fn outline_slides(
         let scatterer = snapshot.scatterer(plan, Phase::Tracing);
         Ok(SlidingJoint::nearest(&sliding, &scatterer, &meetings_of(&scatterer, &ways)))
     };
-    let step_s = STEP_SHARE * plan.header.radar.frame_duration_s();
-    let in_time = match scenery.changes_along(BlendAxis::Time) {
-        true => Some([corners_at(-step_s, [0.0; 2])?, corners_at(step_s, [0.0; 2])?]),
-        false => None,
-    };
-    let along_row = |shares: [f64; 2]| {
-        let off_m = shares.map(|share| share * STEP_M);
-        Ok([corners_at(0.0, off_m.map(|off_m| -off_m))?, corners_at(0.0, off_m)?])
-    };
-    let is_row = scenery.changes_along(BlendAxis::Array);
-    let at_one_place = node.ends_m[0] == node.ends_m[1];
-    let by_both = if is_row && at_one_place { Some(along_row([1.0; 2])?) } else { None };
-    let is_apart = |of: &SlidingJoint| !at_one_place || of.way.0.len() > 1;
-    let by_ends = match is_row && sliding.iter().any(is_apart) {
-        true => Some([along_row([1.0, 0.0])?, along_row([0.0, 1.0])?]),
-        false => None,
-    };
-    let probes = Probes { in_time, by_both, by_ends, step_s, ends_m: node.ends_m };
+    let probes = Probes::of(scenery, (&sliding, node), &corners_at)?;
     let lit_sides = lit_sides(scatterer, meetings, &sliding);
     let mut by_order = vec![JointSlides::new(); meetings.len()];
     for (index, of) in sliding.iter().enumerate() {
@@ -107,12 +82,23 @@ pub(crate) fn outline_slides(
     Ok(OutlineSlides { by_order, row: plan.row.axis, ends_m: node.ends_m })
 }
 
+/// The sequences of bodies of sliding joints.
+fn ways_of(sliding: &[SlidingJoint]) -> BodySequences {
+    let mut ways = BodySequences::default();
+    for of in sliding {
+        ways.add(&of.way.0.iter().map(|facet| facet.body).collect::<Vec<_>>());
+    }
+    ways
+}
+
 /// Apparent points of a corner from both ends.
 type Corner = [DVec3; 2];
 /// Facets of a sequence, and the order of its forward beam.
 type Way = (Vec<Facet>, u8);
 /// Corners of all sliding joints after a step; `None` of a corner whose way is not there.
 type AfterStep = Vec<Vec<Option<Corner>>>;
+/// Function that traces the corners some seconds later, with the ends so many metres farther along the row.
+type CornersAt<'a> = dyn Fn(f64, [f64; 2]) -> Result<AfterStep, BartError> + 'a;
 
 /// A joint whose outline may slide.
 struct SlidingJoint {
@@ -198,6 +184,33 @@ struct Probes {
 }
 
 impl Probes {
+    /// The probes of a node that its joints need: in time if anything moves, along the row if the array has
+    /// one, with each end alone where the ends are apart or the way has mirrors.
+    fn of(
+        scenery: &TracedScene<'_>,
+        (sliding, node): (&[SlidingJoint], &BlendNode<'_>),
+        corners_at: &CornersAt<'_>,
+    ) -> Result<Self, BartError> {
+        let step_s = STEP_SHARE * scenery.plan.header.radar.frame_duration_s();
+        let in_time = match scenery.changes_along(BlendAxis::Time) {
+            true => Some([corners_at(-step_s, [0.0; 2])?, corners_at(step_s, [0.0; 2])?]),
+            false => None,
+        };
+        let along_row = |shares: [f64; 2]| {
+            let off_m = shares.map(|share| share * STEP_M);
+            Ok([corners_at(0.0, off_m.map(|off_m| -off_m))?, corners_at(0.0, off_m)?])
+        };
+        let is_row = scenery.changes_along(BlendAxis::Array);
+        let at_one_place = node.ends_m[0] == node.ends_m[1];
+        let by_both = if is_row && at_one_place { Some(along_row([1.0; 2])?) } else { None };
+        let is_apart = |of: &SlidingJoint| !at_one_place || of.way.0.len() > 1;
+        let by_ends = match is_row && sliding.iter().any(is_apart) {
+            true => Some([along_row([1.0, 0.0])?, along_row([0.0, 1.0])?]),
+            false => None,
+        };
+        Ok(Self { in_time, by_both, by_ends, step_s, ends_m: node.ends_m })
+    }
+
     /// Slides of the corners of the joint at an index; none of a corner that does not move as far before as
     /// after.
     fn slides(
@@ -207,7 +220,6 @@ impl Probes {
         (joints, index): (&Joints, usize),
     ) -> Vec<CornerSlide> {
         let joint = &joints.list[of.joint];
-        let corners_m = joints.polygon(joint);
         let slide = |(corner, corner_m): (usize, &DVec3)| {
             let now = of.corners[corner];
             let body = motions(scatterer, joint.forward, joint.backward, *corner_m);
@@ -218,28 +230,28 @@ impl Probes {
             let moved = self.in_time.as_ref().and_then(steps).map(|steps| self.motion(steps, now));
             let by_row = match &self.by_both {
                 Some(both) if of.way.0.len() == 1 => {
-                    let slide = steps(both)
-                        .map_or(DVec3::ZERO, |[before, after]| (after[0] - before[0]) / (2.0 * STEP_M));
-                    let ends = lit.slides_of_ends(*corner_m, slide);
+                    let [before, after] = steps(both).unwrap_or([now; 2]);
+                    let ends = lit.slides_of_ends(*corner_m, (after[0] - before[0]) / (2.0 * STEP_M));
                     ends.map(|of_ends| of_ends.map(|slide| self.longer_m(now, [slide; 2])))
                 }
-                _ => {
-                    let of_end = |both: &[AfterStep; 2]| {
-                        let [before, after] = steps(both)?;
-                        let slide = [0, 1].map(|end| (after[end] - before[end]) / (2.0 * STEP_M));
-                        Some(self.longer_m(now, slide))
-                    };
-                    let of_ends =
-                        |ends: &[[AfterStep; 2]; 2]| ends.each_ref().map(|both| of_end(both).unwrap_or(0.0));
-                    [self.by_ends.as_ref().map_or([0.0; 2], of_ends); 2]
-                }
+                _ => [self.by_each_end(now, steps); 2],
             };
             CornerSlide {
                 motion: [0, 1].map(|end| moved.map_or(Motion::REST, |moved| beyond(&moved[end], &body[end]))),
                 by_row,
             }
         };
-        corners_m.iter().enumerate().map(slide).collect()
+        joints.polygon(joint).iter().enumerate().map(slide).collect()
+    }
+
+    /// Change of the path length for each metre that either end alone moves along the row, by the steps of a
+    /// corner.
+    fn by_each_end(&self, now: Corner, steps: impl Fn(&[AfterStep; 2]) -> Option<[Corner; 2]>) -> [f64; 2] {
+        let of_end = |both: &[AfterStep; 2]| {
+            let [before, after] = steps(both).unwrap_or([now; 2]);
+            self.longer_m(now, [0, 1].map(|end| (after[end] - before[end]) / (2.0 * STEP_M)))
+        };
+        self.by_ends.as_ref().map_or([0.0; 2], |ends| ends.each_ref().map(of_end))
     }
 
     /// Motions of both apparent points of a corner.

@@ -1,4 +1,4 @@
-//! `[fidelity]`.
+//! `[fidelity]` and `[model]`.
 
 use crate::document::keys::key::{DefaultValue, Key, Table};
 use crate::document::keys::kinds::{Choice, Integer, Number, Text};
@@ -6,7 +6,9 @@ use crate::wording::allowed_range::AllowedRange::{Below, Between};
 use artifact::goal::Goal;
 use artifact::material::Transmission;
 use artifact::paths::MAX_ORDER;
-use artifact::settings::{BetweenBodies, Detail, EchoMode, Edges, NodeRule, Sides, Surface, Wheels};
+use artifact::settings::{
+    BetweenBodies, Detail, EchoMode, Edges, NodeRule, Sides, SmallParts, Surface, Wheels,
+};
 
 pub(crate) const FIDELITY: Table = Table {
     name: "fidelity",
@@ -29,6 +31,13 @@ pub(crate) const FIDELITY: Table = Table {
         &MATERIALS,
         &TRANSMISSION,
     ],
+};
+
+pub(crate) const MODEL: Table = Table {
+    name: "model",
+    heading: "[model]",
+    about: "Parts of bodies that their meshes do not have.",
+    keys: &[&SMALL_PARTS],
 };
 
 pub(crate) const ACCURACY: Key<Number, DefaultValue<f64>> = Key::new(
@@ -161,3 +170,13 @@ pub(crate) const TRANSMISSION: Key<Choice<Transmission>, DefaultValue<Transmissi
     "whether waves are followed through sheets (layers on air) to what is behind",
 )
 .with_default(Transmission::Ignored);
+
+pub(crate) const SMALL_PARTS: Key<Choice<SmallParts>, DefaultValue<SmallParts>> = Key::new(
+    "detail",
+    Choice(|| vec![("mesh", SmallParts::OfMesh), ("statistical", SmallParts::Statistical)]),
+    "the meshes as they are; or with small scatterers besides, drawn with the seed on what both antennas see \
+     of them, for the grilles, lamps, gaps and axles that a mesh of few triangles lacks. Their mean level is \
+     the floor of 3GPP's model of a car, by area seen; `model_error_db.small_parts` tells their share of the \
+     echo ([decisions/small-parts.md](decisions/small-parts.md))",
+)
+.with_default(SmallParts::OfMesh);

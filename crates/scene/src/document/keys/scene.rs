@@ -1,7 +1,7 @@
 //! Top-level keys of a scene file and of a file of materials.
 
 use crate::document::keys::bodies::{CLUTTER, TARGET};
-use crate::document::keys::fidelity::FIDELITY;
+use crate::document::keys::fidelity::{FIDELITY, MODEL};
 use crate::document::keys::key::{DefaultValue, Key, Table};
 use crate::document::keys::kinds::{Integer, Name, Number, Subtables, TableForm};
 use crate::document::keys::lanes::INTERSECTION;
@@ -28,6 +28,7 @@ pub(crate) const SCENE: Table = Table {
         &NOISE_KEY,
         &DSP_KEY,
         &FIDELITY_KEY,
+        &MODEL_KEY,
         &MATERIALS_KEY,
         &INTERSECTION_KEY,
         &ROAD_KEY,
@@ -68,6 +69,8 @@ pub(crate) const DSP_KEY: Key<Subtables> = Key::new("dsp", Subtables::one(&DSP),
 
 pub(crate) const FIDELITY_KEY: Key<Subtables> =
     Key::new("fidelity", Subtables::one(&FIDELITY), THE_TABLES_BELOW);
+
+pub(crate) const MODEL_KEY: Key<Subtables> = Key::new("model", Subtables::one(&MODEL), THE_TABLES_BELOW);
 
 pub(crate) const MATERIALS_KEY: Key<Subtables> =
     Key::new("materials", Subtables { form: TableForm::Named, table: &MATERIAL }, THE_TABLES_BELOW);

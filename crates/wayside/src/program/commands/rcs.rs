@@ -18,7 +18,7 @@ use crate::remarks;
 use crate::stepwise::{self, RcsTable, RequestedReceiver, RequestedTable, TableTimings};
 use artifact::envelope::fingerprint;
 use artifact::scene::Mesh;
-use artifact::settings::NodeRule;
+use artifact::settings::{NodeRule, SmallParts};
 use bart_rcs::{CancellationCheck, RcsContext, RcsRequest};
 use formats::sidecar;
 use pipeline::chain::stages::Stage;
@@ -89,6 +89,9 @@ fn check(arguments: &RcsArguments) -> Result<(), Failure> {
         MethodWord::Po | MethodWord::Sbr if arguments.nodes == Some(NodeRule::OwnEdge) => refused(
             "--nodes own-edge is for --method bart: po and sbr weigh no facets, and take middle or exit",
         ),
+        MethodWord::Po | MethodWord::Sbr if arguments.detail == SmallParts::Statistical => {
+            refused("--detail statistical is for --method bart")
+        }
         MethodWord::Po | MethodWord::Sbr if arguments.accuracy_db.is_some() => {
             progress::note(
                 "note: --accuracy-db is for --method bart: --density is what a reference is exact by",
@@ -172,6 +175,7 @@ fn requested_table(arguments: &RcsArguments) -> RequestedTable {
         sides: arguments.sides,
         edges: arguments.edges,
         surface: arguments.surface,
+        small_parts: arguments.detail,
         accuracy_db: arguments.accuracy_db(),
     }
 }

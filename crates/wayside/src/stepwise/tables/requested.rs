@@ -1,10 +1,12 @@
 //! A table of S as it is asked for: body, axes and settings in the units of the command line.
 
-use crate::stepwise::tables::words::{EDGES, NODES, POLARIZATIONS, SIDES, SURFACES, TRANSMISSION, word_of};
+use crate::stepwise::tables::words::{
+    EDGES, NODES, POLARIZATIONS, SIDES, SMALL_PARTS, SURFACES, TRANSMISSION, word_of,
+};
 use artifact::Accuracy;
 use artifact::material::Transmission;
 use artifact::radar::Polarization;
-use artifact::settings::{Edges, NodeRule, Sides, Surface};
+use artifact::settings::{Edges, NodeRule, Sides, SmallParts, Surface};
 use bart_rcs::{RcsRequest, Standpoint};
 use serde_json::{Value, json};
 use std::path::PathBuf;
@@ -49,6 +51,8 @@ pub struct RequestedTable {
     pub edges: Edges,
     /// Surface that the facets represent.
     pub surface: Surface,
+    /// Source of small parts that the mesh lacks.
+    pub small_parts: SmallParts,
     /// Allowed relative amplitude error, dB.
     pub accuracy_db: f64,
 }
@@ -84,6 +88,7 @@ impl RequestedTable {
             sides: self.sides,
             edges: self.edges,
             surface: self.surface,
+            small_parts: self.small_parts,
             accuracy: Accuracy::from_db(self.accuracy_db),
         }
     }
@@ -104,6 +109,7 @@ impl RequestedTable {
             "pol": word_of(&POLARIZATIONS, self.polarization), "bounces": self.bounces,
             "method": self.method, "edges": word_of(&EDGES, self.edges),
             "nodes": word_of(&NODES, self.nodes), "surface": word_of(&SURFACES, self.surface),
+            "detail": word_of(&SMALL_PARTS, self.small_parts),
             "sides": word_of(&SIDES, self.sides), "materials": materials,
             "transmission": word_of(&TRANSMISSION, self.transmission), "accuracy_db": self.accuracy_db,
             "rx_az_deg": receiver.map(|receiver| receiver.azimuth_deg),

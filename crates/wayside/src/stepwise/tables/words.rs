@@ -3,7 +3,7 @@
 
 use artifact::material::Transmission;
 use artifact::radar::Polarization;
-use artifact::settings::{Edges, NodeRule, Sides, Surface};
+use artifact::settings::{Edges, NodeRule, Sides, SmallParts, Surface};
 
 /// Polarizations by their words: the first letter receives, the second transmits.
 pub const POLARIZATIONS: [(&str, Polarization); 4] =
@@ -13,6 +13,9 @@ pub const EDGES: [(&str, Edges); 2] = [("on", Edges::FirstOrder), ("off", Edges:
 /// Facets on which a multiple reflection is integrated.
 pub const NODES: [(&str, NodeRule); 3] =
     [("middle", NodeRule::Middle), ("exit", NodeRule::Exit), ("own-edge", NodeRule::OwnEdge)];
+/// Sources of small parts that a mesh lacks.
+pub const SMALL_PARTS: [(&str, SmallParts); 2] =
+    [("mesh", SmallParts::OfMesh), ("statistical", SmallParts::Statistical)];
 /// Surfaces that facets represent.
 pub const SURFACES: [(&str, Surface); 2] = [("flat", Surface::Flat), ("smooth", Surface::Smooth)];
 /// Sides of a facet that scatter.

@@ -10,7 +10,7 @@ use super::bodies::{Named, all_own, real};
 use crate::study::extent::Extent;
 use crate::study::pages::page_section::PageSection;
 use crate::study::sources::{SCATTERING, SourcePaths};
-use artifact::settings::Class;
+use artifact::settings::{Class, SmallParts};
 use levels::{Levels, mean};
 use published::SECTORS;
 use wayside::host::failure::Failure;
@@ -42,14 +42,17 @@ pub(crate) fn section(extent: Extent) -> Result<PageSection, Failure> {
     let mut part = PageSection::default();
     part.line("Means of dBsm over a sector, at 0° / 10° elevation; less TR 38.901 with σ, dB:\n");
     part.head(&["vehicle", "class", "triangles", "front", "sides", "rear", "less TR, at 0°", "at 10°"]);
-    let mut all = Vec::new();
+    let (mut all, mut drawn) = (Vec::new(), Vec::new());
     for (class, named) in vehicles(extent)? {
-        let levels = Levels::of(class, named)?;
+        if is_coarse_car(class, &named) {
+            drawn.push(Levels::of(class, named.clone(), SmallParts::Statistical)?);
+        }
+        let levels = Levels::of(class, named, SmallParts::OfMesh)?;
         part.row(&row(&levels));
         all.push(levels);
     }
     part.line("");
-    by_detail(&mut part, &all);
+    by_detail(&mut part, (&all, &drawn));
     road::added(&mut part, extent)?;
     if extent == Extent::Full {
         pictures::draw(&all)?;
@@ -83,6 +86,11 @@ fn row(levels: &Levels) -> Vec<String> {
     cells
 }
 
+/// Whether it is a real car whose mesh is coarse.
+fn is_coarse_car(class: Class, (name, mesh): &Named) -> bool {
+    class == Class::Car && mesh.triangles.len() < COARSE && scene::vehicles::class_of(name).is_none()
+}
+
 /// Text of a difference with its standard deviation, dB.
 fn difference_text([middle, deviation]: [f64; 2]) -> String {
     format!("{middle:+.1} (σ {deviation:.1})").replace('-', "−")
@@ -91,8 +99,9 @@ fn difference_text([middle, deviation]: [f64; 2]) -> String {
 /// Filter of the cars in a row.
 type LevelFilter = fn(&Levels) -> bool;
 
-/// Means over own cars, and over real ones by the detail of their meshes.
-fn by_detail(part: &mut PageSection, all: &[Levels]) {
+/// Means over own cars, and over real ones by the detail of their meshes; `drawn` are the coarse ones with
+/// small parts drawn.
+fn by_detail(part: &mut PageSection, (all, drawn): (&[Levels], &[Levels])) {
     part.head(&["cars", "number", "less TR 38.901, dB, at 0°", "at 10°"]);
     let kinds: [(&str, LevelFilter); 4] = [
         ("own", |levels| levels.is_own()),
@@ -101,19 +110,24 @@ fn by_detail(part: &mut PageSection, all: &[Levels]) {
         ("real, below 4,000", |levels| !levels.is_own() && levels.triangles < COARSE),
     ];
     for (name, kept) in kinds {
-        let cars: Vec<&Levels> =
-            all.iter().filter(|levels| levels.class == Class::Car && kept(levels)).collect();
-        if cars.is_empty() {
-            continue;
-        }
-        let told = [0, 1].map(|elevation: usize| {
-            let of_cars: Vec<[f64; 2]> =
-                cars.iter().map(|car| car.difference_from_published(elevation)).collect();
-            difference_text(
-                [0, 1].map(|at: usize| mean(&of_cars.iter().map(|told| told[at]).collect::<Vec<_>>())),
-            )
-        });
-        part.row(&[&[name.to_owned(), cars.len().to_string()], &told[..]].concat());
+        means(part, name, all.iter().filter(|levels| levels.class == Class::Car && kept(levels)));
     }
+    means(part, "the same, small parts drawn", drawn.iter());
     part.line("");
+}
+
+/// Row of the mean over some cars; none if there are none.
+fn means<'a>(part: &mut PageSection, name: &str, cars: impl Iterator<Item = &'a Levels>) {
+    let cars: Vec<&Levels> = cars.collect();
+    if cars.is_empty() {
+        return;
+    }
+    let told = [0, 1].map(|elevation: usize| {
+        let of_cars: Vec<[f64; 2]> =
+            cars.iter().map(|car| car.difference_from_published(elevation)).collect();
+        difference_text(
+            [0, 1].map(|at: usize| mean(&of_cars.iter().map(|told| told[at]).collect::<Vec<_>>())),
+        )
+    });
+    part.row(&[&[name.to_owned(), cars.len().to_string()], &told[..]].concat());
 }

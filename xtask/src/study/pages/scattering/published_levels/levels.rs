@@ -3,7 +3,7 @@
 use super::super::bodies::Named;
 use super::published::{Sector, published_dbsm};
 use crate::study::pages::measures::references::methods::request;
-use artifact::settings::{Class, NodeRule};
+use artifact::settings::{Class, NodeRule, SmallParts};
 use artifact::units::db_from_power;
 use bart_rcs::{RcsRequest, Standpoint, rcs};
 use wayside::host::failure::Failure;
@@ -28,8 +28,8 @@ pub(super) struct Levels {
 }
 
 impl Levels {
-    /// Levels of vv with three bounces.
-    pub(super) fn of(class: Class, (name, mesh): Named) -> Result<Self, Failure> {
+    /// Levels of vv with three bounces, with small parts from this source.
+    pub(super) fn of(class: Class, (name, mesh): Named, small_parts: SmallParts) -> Result<Self, Failure> {
         let frequencies_hz: Vec<f64> =
             (0..FREQUENCIES).map(|i| 76e9 + 1e9 * (f64::from(i) + 0.5) / f64::from(FREQUENCIES)).collect();
         let far = Standpoint { azimuth_rad: 0.0, elevation_rad: 0.0, range_m: f64::INFINITY };
@@ -38,6 +38,7 @@ impl Levels {
         let asked = RcsRequest {
             elevation_rad: ELEVATIONS_DEG.map(f64::to_radians).to_vec(),
             azimuth_rad: azimuths_deg.iter().map(|az| az.to_radians()).collect(),
+            small_parts,
             ..request(far, &frequencies_hz, 3, NodeRule::OwnEdge, -20.0)
         };
         let table = rcs(&mesh, &asked, &|_, _| {}).map_err(Failure::refused)?;
