@@ -233,7 +233,6 @@ mod tests {
         header.road = Some(Road { material: asphalt, rms_height_m: 1e-3 });
         header.backscatter = Some(Backscatter { gamma: 0.01 });
         header.fidelity.goal = Some(Goal::Cube);
-        header.fidelity.small_parts = SmallParts::Statistical;
         header.noise = Noise::Figure { noise_figure_db: 12.0, temperature_k: 290.0 };
         let (azimuth_rad, elevation_rad) = (vec![-1.0, 0.0, 1.0], vec![0.0]);
         let table = PatternTable { azimuth_rad, elevation_rad, amplitude: vec![0.1, 1.0, 0.1] };
@@ -360,11 +359,15 @@ mod tests {
 
     #[test]
     fn the_seed_changes_paths_where_they_are_drawn_with_it() {
-        let mut header = full_scene();
-        header.fidelity.detail = Detail::Statistical;
-        let other = SceneHeader { seed: header.seed + 1, ..header.clone() };
-        let frame = scene::snapshot(&header, 0);
-        assert_ne!(keys(&header, &frame).bart_rcs.id(), keys(&other, &frame).bart_rcs.id());
+        for (detail, small_parts) in
+            [(Detail::Statistical, SmallParts::OfMesh), (Detail::Paths, SmallParts::Statistical)]
+        {
+            let mut header = full_scene();
+            (header.fidelity.detail, header.fidelity.small_parts) = (detail, small_parts);
+            let other = SceneHeader { seed: header.seed + 1, ..header.clone() };
+            let frame = scene::snapshot(&header, 0);
+            assert_ne!(keys(&header, &frame).bart_rcs.id(), keys(&other, &frame).bart_rcs.id());
+        }
     }
 
     /// A frame's number and time change the key of its echo alone: bodies that stand still scatter the same
