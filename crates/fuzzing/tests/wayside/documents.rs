@@ -117,7 +117,7 @@ const RECIPES: [&str; 2] = [
      range_m = [25.0, 45.0]\nspeed_mps = [1.0, 5.0]\nlanes = [1, 2]\nvehicle_seeds = 2\nyaw_deg = [-5, 5]\n\
      offset_m = [-0.5, 0.5]\nradar_height_m = [5, 6]\ntilt_deg = [-8, -4]\nextra_noise_db = [0, 6]\n\
      frames = 2\n\
-     frame_interval_s = 0.1\nvehicles_per_scene = [1, 3]\nqueue_share = 0.5\ncrops = false\n\
+     frame_interval_s = 0.1\nvehicles_per_scene = [1, 3]\nqueue_share = 0.5\nstatistical_share = 0.5\ncrops = false\n\
      [models]\nmotorcycle = [\"motorcycle-street\"]\ncar = [\"sound/plate.obj\"]\ntruck = [\"f\"]\n",
 ];
 

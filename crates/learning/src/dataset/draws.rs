@@ -25,6 +25,8 @@ pub(super) struct DrawnScene {
     pub(super) radar_height_m: Option<f64>,
     pub(super) tilt_rad: Option<f64>,
     pub(super) extra_noise_db: f64,
+    /// Whether its small parts are drawn, although the base scene may not ask for it.
+    pub(super) is_statistical: bool,
 }
 
 /// A body to place.
@@ -47,9 +49,9 @@ pub(super) struct Drive {
     pub(super) speed_mps: f64,
 }
 
-/// Kind of a scene, of which all scenes have similar errors: its base scene and the class of a single
-/// vehicle, `None` for several.
-pub(super) type Kind = (usize, Option<Class>);
+/// Kind of a scene, of which all scenes have similar errors: its base scene, whether its small parts are drawn,
+/// and the class of a single vehicle, `None` for several.
+pub(super) type Kind = (usize, bool, Option<Class>);
 
 impl DrawnScene {
     pub(super) fn kind(&self) -> Kind {
@@ -57,7 +59,7 @@ impl DrawnScene {
             [vehicle] => Some(vehicle.class),
             _ => None,
         };
-        (self.base, alone)
+        (self.base, self.is_statistical, alone)
     }
 }
 
@@ -106,6 +108,8 @@ fn draw_one(recipe: &Recipe, number: u64, class: Class, model: usize) -> DrawnSc
         radar_height_m: document.radar_height_m.map(|span| within(span, height)),
         tilt_rad: document.tilt_deg.map(|span| within(span, tilt).to_radians()),
         extra_noise_db: within(document.extra_noise_db, noise),
+        is_statistical: stream(recipe, "dataset/small parts", &[number]).random::<f64>()
+            < document.statistical_share,
     }
 }
 

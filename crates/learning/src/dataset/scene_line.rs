@@ -28,6 +28,9 @@ pub(crate) struct SceneLine {
     pub(crate) lanes_azimuth_deg: Option<f64>,
     pub(crate) extra_noise_db: Option<f64>,
     pub(crate) is_queue: bool,
+    /// Source of small parts, "statistical"; `None` for the meshes alone.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) detail: Option<String>,
     /// Number of vehicles that found no room.
     pub(crate) left_out: usize,
     /// Number of the scene in which the errors of this kind were measured.

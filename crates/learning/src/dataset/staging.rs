@@ -4,7 +4,7 @@ use crate::dataset::draws::{self, DrawnScene, Drive, Vehicle};
 use crate::dataset::placement::BodyOnRoad;
 use crate::dataset::recipe::{Base, Model, NEAREST_ALONG_M, Recipe};
 use artifact::scene::{Mesh, Role, SceneHeader, Target, TargetKind};
-use artifact::settings::{Class, Fidelity, Noise};
+use artifact::settings::{Class, Fidelity, Noise, SmallParts};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
@@ -70,7 +70,8 @@ fn before_radar(recipe: &Recipe, drawn: &DrawnScene) -> SceneHeader {
     let [_, _, height_m] = base.radar.position_m;
     let height_m = drawn.radar_height_m.unwrap_or(height_m);
     let tilt_rad = drawn.tilt_rad.unwrap_or(base.radar.boresight_el_rad);
-    let fidelity = Fidelity { measured_every: MEASURED_EVERY, ..base.fidelity };
+    let small_parts = if drawn.is_statistical { SmallParts::Statistical } else { base.fidelity.small_parts };
+    let fidelity = Fidelity { measured_every: MEASURED_EVERY, small_parts, ..base.fidelity };
     SceneHeader {
         name: format!("dataset-{}", drawn.number),
         seed: draws::noise_seed(recipe.seed, drawn.number),

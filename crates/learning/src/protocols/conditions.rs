@@ -116,6 +116,7 @@ fn of_vehicle(
         ("vehicles of the scene", (company, company.to_string())),
         ("line of sight", sight),
         ("traffic", (0, queue.into())),
+        ("small parts", (0, scene.detail.as_deref().unwrap_or("of the mesh").into())),
         ("height of the radar, m", bin(number(scene.radar_height_m), &HEIGHT_M)),
         ("tilt, °", bin(number(scene.tilt_deg), &TILT_DEG)),
         ("radar", (0, scene.base.as_deref().unwrap_or("–").trim_end_matches(".toml").into())),

@@ -228,6 +228,24 @@ fn a_radar_is_mounted_as_drawn_and_base_scenes_are_mixed() {
 }
 
 #[test]
+fn a_share_of_the_scenes_has_drawn_small_parts_and_everything_else_stays_as_drawn() {
+    let place = prepared();
+    let with = |share: &str, out: &str| {
+        made(&place, &format!("{NEEDED}statistical_share = {share}\n{OWN}"), out);
+        lines(&place, &format!("{out}/scenes.jsonl"))
+    };
+    let [none, some] = [("0.0", "none"), ("0.5", "some")].map(|(share, out)| with(share, out));
+    assert!(none.iter().all(|line| line["detail"].is_null()));
+    let drawn = some.iter().filter(|line| line["detail"] == "statistical").count();
+    assert!(0 < drawn && drawn < some.len(), "{drawn} of {}", some.len());
+    for (mesh, line) in none.iter().zip(&some) {
+        let truth = |of: &serde_json::Value| of["frames"][0]["vehicles"][0]["range_m"].clone();
+        assert_eq!((truth(mesh), &mesh["radar_height_m"]), (truth(line), &line["radar_height_m"]));
+        assert!(line["detail"] == "statistical" || mesh["frames"][0]["paths"] == line["frames"][0]["paths"]);
+    }
+}
+
+#[test]
 fn neither_threads_nor_parts_change_a_byte_and_each_kind_is_measured_once_a_shard() {
     let place = prepared();
     let recipe = format!("{NEEDED}scenes_per_shard = 4\nvehicles_per_scene = [1, 2]\n{OWN}");

@@ -28,6 +28,7 @@ pub(in crate::dataset) struct Document {
     pub(in crate::dataset) frame_interval_s: Option<f64>,
     pub(in crate::dataset) vehicles_per_scene: [u32; 2],
     pub(in crate::dataset) queue_share: f64,
+    pub(in crate::dataset) statistical_share: f64,
     pub(in crate::dataset) crops: bool,
     pub(super) models: ModelChoice,
 }
@@ -65,6 +66,7 @@ impl Document {
             frame_interval_s: root.read(&keys::FRAME_INTERVAL),
             vehicles_per_scene: root.or_default(&keys::VEHICLES_PER_SCENE).map(counts),
             queue_share: root.or_default(&keys::QUEUE_SHARE),
+            statistical_share: root.or_default(&keys::STATISTICAL_SHARE),
             crops: root.or_default(&keys::CROPS),
             models: ModelChoice::of(models),
         }

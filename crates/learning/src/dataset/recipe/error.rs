@@ -36,6 +36,9 @@ pub(super) enum RecipeError {
     /// More noise in a base scene that has none.
     #[error("`extra_noise_db`: {scene} has no noise that could grow")]
     NoNoise { scene: String },
+    /// Small parts in a base scene of tables.
+    #[error("`statistical_share`: {scene} has echo = \"rcs-table\", which knows no small parts")]
+    PartsOfTables { scene: String },
     /// Frames that follow each other faster than the radar makes them.
     #[error("`frame_interval_s` must be {cycle_s} or more (a frame of {scene}), is {found_s}")]
     FrameInterval { scene: String, cycle_s: f64, found_s: f64 },

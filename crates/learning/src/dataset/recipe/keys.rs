@@ -42,6 +42,7 @@ pub(super) const RECIPE: Table = Table {
         &FRAME_INTERVAL,
         &VEHICLES_PER_SCENE,
         &QUEUE_SHARE,
+        &STATISTICAL_SHARE,
         &CROPS,
         &MODELS_KEY,
     ],
@@ -125,6 +126,13 @@ pub(super) const VEHICLES_PER_SCENE: Key<IntegerVector<2>, DefaultValue<[u64; 2]
 pub(super) const QUEUE_SHARE: Key<Number, DefaultValue<f64>> =
     Key::new("queue_share", Number(Between(0.0, 1.0)), "share of the scenes in which all queue")
         .with_default(0.0);
+
+pub(super) const STATISTICAL_SHARE: Key<Number, DefaultValue<f64>> = Key::new(
+    "statistical_share",
+    Number(Between(0.0, 1.0)),
+    "of the scenes whose small parts are drawn, as `[model] detail = \"statistical\"` does",
+)
+.with_default(0.0);
 
 pub(super) const CROPS: Key<Boolean, DefaultValue<bool>> =
     Key::new("crops", Boolean, "whether crops are kept beside signatures").with_default(true);

@@ -4,7 +4,7 @@ use crate::dataset::recipe::document::{Base, Document};
 use crate::dataset::recipe::error::RecipeError;
 use crate::dataset::recipe::keys;
 use artifact::scene::SceneHeader;
-use artifact::settings::Noise;
+use artifact::settings::{EchoMode, Noise};
 use scene::document::section::Section;
 
 /// Distance along the road from the radar at which a vehicle stands at least, whatever range was drawn.
@@ -43,6 +43,9 @@ pub(super) fn check_before(root: &Section<'_>, document: &Document, Base { name,
     check_lanes(root, document, name, header);
     if header.noise == Noise::Absent && document.extra_noise_db != [0.0; 2] {
         root.note(keys::EXTRA_NOISE.name, RecipeError::NoNoise { scene: name.clone() }.into());
+    }
+    if header.fidelity.echo == EchoMode::RcsTable && document.statistical_share > 0.0 {
+        root.note(keys::STATISTICAL_SHARE.name, RecipeError::PartsOfTables { scene: name.clone() }.into());
     }
     let cycle_s = header.radar.cycle_duration_s();
     if let Some(found_s) = document.frame_interval_s.filter(|interval_s| *interval_s < cycle_s) {
