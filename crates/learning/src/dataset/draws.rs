@@ -49,8 +49,8 @@ pub(super) struct Drive {
     pub(super) speed_mps: f64,
 }
 
-/// Kind of a scene, of which all scenes have similar errors: its base scene, whether its small parts are drawn,
-/// and the class of a single vehicle, `None` for several.
+/// Kind of a scene, of which all scenes have similar errors: its base scene, whether its small parts are
+/// drawn, and the class of a single vehicle, `None` for several.
 pub(super) type Kind = (usize, bool, Option<Class>);
 
 impl DrawnScene {
