@@ -68,6 +68,19 @@ pub enum SmallParts {
     Statistical,
 }
 
+impl SmallParts {
+    /// All of them, the default first.
+    pub const ALL: [Self; 2] = [Self::OfMesh, Self::Statistical];
+
+    /// Name in scene files, on the command line and in the lines of datasets.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::OfMesh => "mesh",
+            Self::Statistical => "statistical",
+        }
+    }
+}
+
 /// Diffraction by edges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Edges {

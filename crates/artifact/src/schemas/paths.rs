@@ -238,9 +238,14 @@ impl Curve {
     /// Factor of the path's amplitude `seconds` after the frame's first sample, between a transmit and a
     /// receive element at these positions: 1 if the path represents the whole frame and array.
     pub fn share(&self, seconds: f64, ends_m: [[f64; 3]; 2]) -> f64 {
-        let over_time = self.span.map_or(1.0, |span| span.share(seconds));
+        self.span.map_or(1.0, |span| span.share(seconds)) * self.share_of_pair(ends_m)
+    }
+
+    /// Factor of the path's amplitude between a transmit and a receive element at any time: 1 if the path
+    /// represents the whole array.
+    pub fn share_of_pair(&self, ends_m: [[f64; 3]; 2]) -> f64 {
         let over_array = self.array_span.map_or(1.0, |span| span.share(ends_m));
-        over_time * over_array * self.array_side.map_or(1.0, |side| side.share(ends_m))
+        over_array * self.array_side.map_or(1.0, |side| side.share(ends_m))
     }
 }
 

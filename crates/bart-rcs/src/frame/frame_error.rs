@@ -118,13 +118,13 @@ impl FrameReference {
     /// the array's centre are no measure of their own error.
     fn power_over_array(&self) -> f64 {
         let of_second = |(_, second): &(PathView, Vec<Complex64>)| mean(second);
-        self.second.as_ref().map(of_second).map_or(0.0, |second| 0.5 * (mean(&self.total_m()) + second))
+        self.second.as_ref().map(of_second).map_or(0.0, |second| 0.5 * (self.power_m2() + second))
     }
 
     /// Spread between the node rules where both are known, and the first missing order, both relative to all
     /// orders.
     pub(crate) fn model_error(&self) -> ModelError {
-        let power = mean(&self.total_m());
+        let power = self.power_m2();
         let relative = |part: f64| amplitude_ratio(part, power);
         let both = self.by_order_m.iter().zip(&self.other_m);
         let spreads: Vec<f64> = both.filter_map(|(m, e)| e.as_ref().map(|e| mean_difference(m, e))).collect();
@@ -160,7 +160,7 @@ impl FrameReference {
         let first = power_of_orders(&self.by_order_m[..usize::from(orders)]);
         let all = power_of_orders(&self.by_order_m);
         let gained = with_later_orders(mean(&added), [first, all - first]);
-        let whole = mean(&self.total_m());
+        let whole = self.power_m2();
         (whole > 0.0).then(|| MARGIN * (gained / whole).sqrt())
     }
 

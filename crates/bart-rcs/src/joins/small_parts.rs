@@ -68,19 +68,21 @@ pub(crate) fn small_scatterers(
     joints.list.iter().filter(is_direct).flat_map(of_joint).collect()
 }
 
-/// S over wavenumbers of what two antennas, each with its ĥ straight above and below, see of the scatterers
-/// drawn with the seed 0; 2 × 2, with its phase referred to the world's origin.
+/// S over wavenumbers of what a transmitter and a receiver (`None` if it is the transmitter), each with its ĥ
+/// straight above and below, see of the scatterers drawn with the seed 0; 2 × 2, with its phase referred to
+/// the world's origin.
 pub(crate) fn sum_of_small_parts(
     world: &World,
-    [transmit, receive]: [(Antenna, DVec3); 2],
+    (transmit, receive): ((Antenna, DVec3), Option<(Antenna, DVec3)>),
     trace: &TraceSettings,
     wavenumbers_per_m: &[f64],
 ) -> Result<Vec<Amplitude>, BartError> {
     let settings = TraceSettings { max_order: 1, ..*trace };
-    let trees =
-        [BeamTree::trace(world, transmit.0, &settings)?, BeamTree::trace(world, receive.0, &settings)?];
-    let zenith_h = ZenithH { transmit: transmit.1, receive: receive.1 };
-    let scatterer = Scatterer::new(world, Trees::Apart(&trees[0], &trees[1]), zenith_h);
+    let sent = BeamTree::trace(world, transmit.0, &settings)?;
+    let received = receive.map(|receive| BeamTree::trace(world, receive.0, &settings)).transpose()?;
+    let trees = received.as_ref().map_or(Trees::Shared(&sent), |received| Trees::Apart(&sent, received));
+    let zenith_h = ZenithH { transmit: transmit.1, receive: receive.map_or(transmit.1, |receive| receive.1) };
+    let scatterer = Scatterer::new(world, trees, zenith_h);
     let joints = scatterer.joints(1, NodeRule::Middle, settings.least_area_m2);
     let middle_per_m = wavenumbers_per_m.get(wavenumbers_per_m.len() / 2).copied().unwrap_or_default();
     let small = small_scatterers(&scatterer, &joints, (0, middle_per_m));

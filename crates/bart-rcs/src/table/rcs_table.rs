@@ -324,7 +324,7 @@ impl SharedByAspects<'_> {
     fn add_small_parts(&self, result: &mut RcsResult, settings: &AspectSettings) -> Result<(), BartError> {
         let (p, q) = settings.polarization.indices();
         let of = |aspect: &Aspect| {
-            let ends = [aspect.transmit, aspect.receive.unwrap_or(aspect.transmit)];
+            let ends = (aspect.transmit, aspect.receive);
             let drawn = sum_of_small_parts(self.world, ends, &settings.trace, &settings.wavenumbers_per_m)?;
             Ok(drawn.iter().map(|s| s[p][q]).collect())
         };

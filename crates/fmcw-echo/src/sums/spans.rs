@@ -5,12 +5,10 @@ use crate::links::multiplexing::Transmission;
 use artifact::Radar;
 use artifact::paths::{ArraySide, ArraySpan, Curve, Path, Span};
 
-/// Part of a frame and of the array represented by paths; `None` for all of it.
+/// Part of a frame and of the array represented by paths: of a path's curve, the fields that tell it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct FrameSpan {
-    pub(crate) of_time: Option<Span>,
-    pub(crate) of_array: Option<ArraySpan>,
-    pub(crate) of_side: Option<ArraySide>,
+    part: Curve,
 }
 
 /// Numbers that tell two parts from each other.
@@ -19,22 +17,22 @@ type Key = (Option<[u64; 4]>, Option<[u64; 10]>, Option<[u64; 7]>);
 impl FrameSpan {
     pub(crate) fn of(path: &Path) -> Self {
         let Curve { span, array_span, array_side, .. } = path.curve;
-        Self { of_time: span, of_array: array_span, of_side: array_side }
+        Self { part: Curve { span, array_span, array_side, ..Curve::default() } }
     }
 
     /// Whether it is the whole frame and array.
     pub(crate) fn is_whole(&self) -> bool {
-        self.of_time.is_none() && self.of_whole_array()
+        self.part.span.is_none() && self.of_whole_array()
     }
 
     /// The same part of the frame for the whole array.
     pub(crate) fn over_whole_array(self) -> Self {
-        Self { of_array: None, of_side: None, ..self }
+        Self { part: Curve { array_span: None, array_side: None, ..self.part } }
     }
 
     /// Whether it is all of the array.
     pub(crate) fn of_whole_array(&self) -> bool {
-        self.of_array.is_none() && self.of_side.is_none()
+        self.part.array_span.is_none() && self.part.array_side.is_none()
     }
 
     /// Sort key common to the paths of one part.
@@ -52,19 +50,18 @@ impl FrameSpan {
             let ([a, b, c], [d, e, f]) = (side.transmit, side.receive);
             [a, b, c, d, e, f, side.from_m].map(f64::to_bits)
         };
-        (self.of_time.map(of_time), self.of_array.map(of_array), self.of_side.map(of_side))
+        (self.part.span.map(of_time), self.part.array_span.map(of_array), self.part.array_side.map(of_side))
     }
 
     /// Share of a pair of a transmit and a receive element, at any time.
     pub(crate) fn share_of_pair(&self, ends_m: [[f64; 3]; 2]) -> f64 {
-        let on_side = self.of_side.map_or(1.0, |side| side.share(ends_m));
-        on_side * self.of_array.map_or(1.0, |span| span.share(ends_m))
+        self.part.share_of_pair(ends_m)
     }
 
     /// Share of every sample of a chirp between a transmit and a receive element.
     pub(crate) fn shares_of_row(&self, radar: &Radar, transmission: &Transmission) -> Vec<f64> {
         let time_s = |sample: u32| transmission.start_s + f64::from(sample) / radar.waveform.sample_rate_hz;
-        let over_time = |sample: u32| self.of_time.map_or(1.0, |span| span.share(time_s(sample)));
+        let over_time = |sample: u32| self.part.span.map_or(1.0, |span| span.share(time_s(sample)));
         let over_array = self.share_of_pair(transmission.ends_m());
         (0..radar.waveform.samples).map(|sample| over_array * over_time(sample)).collect()
     }

@@ -31,7 +31,7 @@ pub(super) fn scene(
     shard: &str,
 ) -> SceneLine {
     let radar = &staged.header.radar;
-    let is_statistical = staged.header.fidelity.small_parts == SmallParts::Statistical;
+    let small_parts = staged.header.fidelity.small_parts;
     let [x_m, y_m, height_m] = radar.position_m;
     SceneLine {
         file: shard.to_owned(),
@@ -46,7 +46,7 @@ pub(super) fn scene(
         lanes_azimuth_deg: Some(staged.header.dsp.road.azimuth_rad.to_degrees()),
         extra_noise_db: Some(drawn.extra_noise_db),
         is_queue: drawn.queue_mps.is_some(),
-        detail: is_statistical.then(|| "statistical".to_owned()),
+        detail: (small_parts != SmallParts::OfMesh).then(|| small_parts.name().to_owned()),
         left_out: drawn.vehicles.len() - staged.vehicles.len(),
         measured_in: Some(measured_in),
         frames,

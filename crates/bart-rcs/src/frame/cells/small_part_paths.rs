@@ -6,6 +6,7 @@ use crate::joins::scatterer::Scatterer;
 use crate::joins::small_parts::{SmallScatterer, small_scatterers};
 use artifact::paths::{Curve, Path};
 use artifact::settings::SmallParts;
+use artifact::units::amplitude_ratio;
 
 /// Paths of the small parts drawn on what both ends see at the frame's middle; none unless requested.
 pub(crate) fn small_part_paths(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> Vec<Path> {
@@ -41,5 +42,5 @@ pub(crate) fn relative_to(power_m2: f64, small: &[Path], plan: &Plan<'_>) -> f64
         let (spread, _) = view.spread_and_length_m(path);
         (reception.gains.of_path(path) * spread).powi(2) * path.amplitude_m[p][q].norm_sqr()
     };
-    artifact::units::amplitude_ratio(small.iter().map(of_path).sum(), power_m2)
+    amplitude_ratio(small.iter().map(of_path).sum(), power_m2)
 }

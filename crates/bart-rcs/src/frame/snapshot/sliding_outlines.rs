@@ -1,4 +1,4 @@
-//! How fast the outlines of large lit polygons slide over their bodies, from the same beams traced a moment
+//! Slides of the outlines of large lit polygons over their bodies, from the same beams traced a moment
 //! before and after, and a little to either side along the array's row.
 
 mod shadow_lines; // which end's shadow bounds a polygon

@@ -173,7 +173,7 @@ pub(crate) const TRANSMISSION: Key<Choice<Transmission>, DefaultValue<Transmissi
 
 pub(crate) const SMALL_PARTS: Key<Choice<SmallParts>, DefaultValue<SmallParts>> = Key::new(
     "detail",
-    Choice(|| vec![("mesh", SmallParts::OfMesh), ("statistical", SmallParts::Statistical)]),
+    Choice(|| SmallParts::ALL.map(|source| (source.name(), source)).to_vec()),
     "the meshes as they are; or with small scatterers besides, drawn with the seed on what both antennas see \
      of them, for the grilles, lamps, gaps and axles that a mesh of few triangles lacks. Their mean level is \
      the floor of 3GPP's model of a car, by area seen; `model_error_db.small_parts` tells their share of the \

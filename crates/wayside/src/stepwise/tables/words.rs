@@ -14,8 +14,10 @@ pub const EDGES: [(&str, Edges); 2] = [("on", Edges::FirstOrder), ("off", Edges:
 pub const NODES: [(&str, NodeRule); 3] =
     [("middle", NodeRule::Middle), ("exit", NodeRule::Exit), ("own-edge", NodeRule::OwnEdge)];
 /// Sources of small parts that a mesh lacks.
-pub const SMALL_PARTS: [(&str, SmallParts); 2] =
-    [("mesh", SmallParts::OfMesh), ("statistical", SmallParts::Statistical)];
+pub const SMALL_PARTS: [(&str, SmallParts); 2] = [
+    (SmallParts::OfMesh.name(), SmallParts::OfMesh),
+    (SmallParts::Statistical.name(), SmallParts::Statistical),
+];
 /// Surfaces that facets represent.
 pub const SURFACES: [(&str, Surface); 2] = [("flat", Surface::Flat), ("smooth", Surface::Smooth)];
 /// Sides of a facet that scatter.
