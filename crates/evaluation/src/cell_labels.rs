@@ -18,16 +18,14 @@ use std::f64::consts::TAU;
 /// Kinds of echo in the cells of a map, row-major `[doppler, range]`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CellOrigins {
-    /// Kinds of echo, by ascending bounces, then by the order of targets.
+    /// Kinds of echo, by the order of targets, then by ascending bounces.
     pub groups: Vec<EchoGroup>,
     /// The strongest kind in each cell, counted from 1; 0 if all kinds together are below the noise.
-    pub strongest: Vec<u8>,
+    pub strongest: Vec<u32>,
     /// Power of the strongest kind relative to the sum of the powers of the kinds in the cell, percent.
     pub percent: Vec<u8>,
 }
 
-/// Largest number of distinguished kinds of echo; those of later targets are left out.
-const GROUPS: usize = 255;
 /// Largest number of channels that represent the array.
 const CHANNELS: usize = 4;
 
@@ -44,34 +42,34 @@ pub fn cell_origins(
         kinds.entry(echo.group).or_default().push(echo);
     }
     let mut cells = vec![Strongest::default(); map.cells()];
-    for (number, echoes) in (1..).zip(kinds.values()).take(GROUPS) {
+    for (number, echoes) in (1..).zip(kinds.values()) {
         let power = map.power(echoes);
         cells.iter_mut().zip(power).for_each(|(cell, power)| cell.add(number, power));
     }
     let floor = noise_power / response.gain.powi(2);
     let label = |cell: &Strongest| if cell.sum > floor { cell.label() } else { (0, 0) };
     let (strongest, percent) = cells.iter().map(label).unzip();
-    Ok(CellOrigins { groups: kinds.into_keys().take(GROUPS).collect(), strongest, percent })
+    Ok(CellOrigins { groups: kinds.into_keys().collect(), strongest, percent })
 }
 
 /// The strongest kind in a cell so far.
 #[derive(Debug, Clone, Copy, Default)]
 struct Strongest {
-    number: u8,
+    number: u32,
     power: f64,
     /// Sum of the powers of all kinds.
     sum: f64,
 }
 
 impl Strongest {
-    fn add(&mut self, number: u8, power: f64) {
+    fn add(&mut self, number: u32, power: f64) {
         self.sum += power;
         if power > self.power {
             (self.number, self.power) = (number, power);
         }
     }
 
-    fn label(&self) -> (u8, u8) {
+    fn label(&self) -> (u32, u8) {
         (self.number, (100.0 * self.power / self.sum).round() as u8)
     }
 }
@@ -126,11 +124,12 @@ impl<'a> CellMap<'a> {
         let [velocity_cell_mps, range_cell_m] = self.response.cells;
         let tone = echo.position.radial_velocity_mps / velocity_cell_mps;
         let column = echo.position.range_m / range_cell_m;
+        let samples = self.radar.waveform.samples as usize;
         for (row, left) in self.response.doppler.reached(tone, self.rows) {
             let of_row = value * left;
             let begin = (row + (self.rows / 2) as i64).rem_euclid(self.rows as i64) as usize * self.columns;
-            for c in reached(column) {
-                let shown = c.rem_euclid(i64::from(self.radar.waveform.samples)) as usize;
+            for c in reached(column, samples) {
+                let shown = c.rem_euclid(samples as i64) as usize;
                 if shown < self.columns {
                     sums[begin + shown] += of_row * at(&self.response.range, c as f64 - column);
                 }

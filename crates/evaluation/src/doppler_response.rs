@@ -54,11 +54,12 @@ impl DopplerResponse {
         }
     }
 
-    /// Rows in which a tone counts, which may lie outside the map, and its amplitudes there.
+    /// Rows in which a tone counts, which may lie outside the map but are each one row of it, and its
+    /// amplitudes there.
     pub(crate) fn reached(&self, tone: f64, rows: usize) -> Vec<(i64, Complex64)> {
         match self {
             Self::Even(along) => {
-                reached(tone).map(|row| (row, at(along, row as f64 - tone).into())).collect()
+                reached(tone, rows).map(|row| (row, at(along, row as f64 - tone).into())).collect()
             }
             Self::Staggered(staggered) => {
                 let first = -((rows / 2) as i64);
@@ -109,9 +110,12 @@ fn signed(row: f64, rows: f64) -> f64 {
     row - rows * (row / rows + 0.5 + 1e-9).floor()
 }
 
-/// Cells within [`REACH_CELLS`] of a fractional cell.
-pub(crate) fn reached(cell: f64) -> std::ops::Range<i64> {
-    (cell - REACH_CELLS).ceil() as i64..(cell + REACH_CELLS).ceil() as i64
+/// Cells within [`REACH_CELLS`] of a fractional cell, of an axis that repeats after `period` cells: the
+/// nearest of those that are one.
+pub(crate) fn reached(cell: f64, period: usize) -> std::ops::Range<i64> {
+    let reach = REACH_CELLS.min(0.5 * period as f64);
+    let first = (cell - reach).ceil() as i64;
+    first..((cell + reach).ceil() as i64).min(first + period as i64)
 }
 
 /// Amplitude of a tabulated response at a distance of `cells` from its centre.
@@ -140,8 +144,19 @@ mod tests {
 
     #[test]
     fn an_echo_reaches_four_cells_on_both_sides() {
-        assert_eq!(reached(10.0).collect::<Vec<_>>(), (6..14).collect::<Vec<_>>());
-        assert_eq!(reached(10.5).collect::<Vec<_>>(), (7..15).collect::<Vec<_>>());
+        assert_eq!(reached(10.0, 64), 6..14);
+        assert_eq!(reached(10.5, 64), 7..15);
+    }
+
+    #[test]
+    fn an_echo_reaches_every_row_of_a_short_map_once() {
+        for rows in 1..8 {
+            for tone in [-7.5, -0.4, 0.0, 0.5, 1.2, 3.0] {
+                let reached: std::collections::BTreeSet<i64> =
+                    reached(tone, rows).map(|row| row.rem_euclid(rows as i64)).collect();
+                assert_eq!(reached.len(), rows, "{rows} rows, {tone}");
+            }
+        }
     }
 
     /// Every row of a tone that is 1.3 spans fast, from the sum over the chirps' own times.

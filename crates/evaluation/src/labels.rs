@@ -7,6 +7,7 @@
 //! cells of one surface cancel away from its mirror direction, so the powers of single paths would be
 //! meaningless. A point whose paths are together below the noise is a false alarm and has no label.
 
+use crate::beam::beam_response;
 use crate::doppler_response::{DopplerResponse, REACH_CELLS, at, response};
 use artifact::Waveform;
 use artifact::cube::CubeHeader;
@@ -21,7 +22,6 @@ use radar::path_echo::echo_value;
 use radar::path_kinematics::legs;
 use radar::window::{Sidelobes, taper};
 use std::collections::{BTreeMap, BTreeSet};
-use std::f64::consts::TAU;
 
 /// True origin of a point.
 #[derive(Debug, Clone, PartialEq)]
@@ -209,7 +209,9 @@ impl MapResponse {
         let mut shares: BTreeMap<EchoGroup, Share> = BTreeMap::new();
         for (index, echo) in echoes.iter().enumerate() {
             let Some(tone) = self.response_to(w, echo, position) else { continue };
-            let value = tone.of(echo.value * beam(radar, echo, toward));
+            let faster_mps = echo.position.radial_velocity_mps - point.radial_velocity_mps;
+            let beam = beam_response(radar, echo.directions, toward, faster_mps);
+            let value = tone.of(echo.value * beam);
             let share = shares.entry(echo.group).or_default();
             share.sum += value;
             if value.norm_sqr() >= share.largest {
@@ -256,17 +258,4 @@ fn direction(point: &Point) -> DVec3 {
     let (sin, cos) = point.azimuth_rad.sin_cos();
     let (up, level) = point.elevation_rad.sin_cos();
     DVec3::new(sin * level, cos * level, up)
-}
-
-/// Response of the beam in a direction to an echo: the mean over transmitters times the mean over receivers.
-fn beam(radar: &Radar, echo: &PathOnMap, toward: DVec3) -> Complex64 {
-    let wavenumber = TAU / radar.waveform.wavelength_m();
-    let mean = |elements: &[[f64; 3]], direction: DVec3| {
-        let phase = |element: &[f64; 3]| {
-            let offset = DVec3::from(*element) - DVec3::from(radar.position_m);
-            Complex64::from_polar(1.0, -wavenumber * offset.dot(direction - toward))
-        };
-        elements.iter().map(phase).sum::<Complex64>() / elements.len().max(1) as f64
-    };
-    mean(&radar.array.tx_m, echo.directions[0]) * mean(&radar.array.rx_m, echo.directions[1])
 }

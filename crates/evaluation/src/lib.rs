@@ -37,6 +37,7 @@ mod labelled_box; // bodies of a dataset
 mod metrics; // distances between sets of places
 mod pairing; // assignment of objects to bodies
 mod doppler_response; // response of map rows to a tone
+mod beam; // response of a steered array to an echo
 mod labels; // origins of points
 mod cell_labels; // origins of map cells
 mod frame_truth; // ground truth of a frame

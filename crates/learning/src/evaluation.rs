@@ -37,8 +37,8 @@ pub struct EvaluationSettings {
 /// Evaluates a model and returns the page (Markdown).
 ///
 /// # Errors
-/// A sentence that names the file if a model or a shard is damaged, or has another radar's signatures, and
-/// the first folder if no sample has a class.
+/// A sentence that names the file if a model or a shard is damaged, and the first folder if no sample has a
+/// class.
 pub fn run(settings: &EvaluationSettings) -> Result<String, Failure> {
     let model = LoadedModel::read(&settings.model)?;
     let datasets = DatasetFolder::open_all(&settings.datasets)?;

@@ -10,6 +10,7 @@ mod settings;
 
 use crate::evaluation::{confusion, predictions, shares, sightings_of};
 use crate::training::{iterations_of_signatures, note_lone_vehicles};
+use artifact::dataset::Split;
 use artifact::settings::Class;
 use classifier::{
     ClassificationMetrics, ReliabilityBin, Sighting, Sightings, SignatureTraining, TrainedModel,
@@ -247,8 +248,9 @@ const COMPARED: [&str; 4] = ["total_dbsm", "extent_m", "peaks", "height_m"];
 /// Table of the similarity of features between training and test, as area under the ROC curve, class by
 /// class.
 fn feature_similarities(folder: &Path, learned: &Sightings, test: &Sightings) -> String {
+    let has_trained = |seen: &&Sighting| seen.split != Split::Test;
     let (learned, test): (Vec<&Sighting>, Vec<&Sighting>) =
-        (learned.all.iter().collect(), test.all.iter().collect());
+        (learned.all.iter().filter(has_trained).collect(), test.all.iter().collect());
     let rows = Class::ALL.iter().enumerate().map(|(number, class)| {
         let area = |feature| feature_similarity(feature, number, &learned, &test);
         let told = COMPARED.map(|feature| area(feature).map_or("–".into(), |area| format!("{area:.2}")));

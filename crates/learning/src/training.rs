@@ -47,7 +47,18 @@ fn check(settings: &TrainingSettings) -> Result<(), Failure> {
             "{}: --attributions is for --learner trees, profile and both: the paper's network would not name them",
             file.display()
         ))),
+        (Learner::Paper, None) => one_dataset_of_paper(&settings.datasets),
         _ => Ok(()),
+    }
+}
+
+/// Refuses several datasets for the paper's network, whose training knows scenes by their numbers.
+pub(crate) fn one_dataset_of_paper<T>(datasets: &[T]) -> Result<(), Failure> {
+    match datasets.len() {
+        0 | 1 => Ok(()),
+        several => Err(Failure::System(format!(
+            "--learner paper takes one dataset, not {several}: scenes of several have the same numbers"
+        ))),
     }
 }
 

@@ -83,6 +83,15 @@ pub enum Pixels {
 /// quarter to a half after a third to a half.
 const DEFLATE: png::DeflateCompression = png::DeflateCompression::FdeflateUltraFast;
 
+/// Keyword and text by which a PNG names the program that wrote it.
+const SOFTWARE: [&str; 2] = ["Software", "Wayside"];
+
+/// Whether the first kilobyte of a PNG names this program.
+pub fn is_own_png(head: &[u8]) -> bool {
+    let mark = SOFTWARE.join("\0");
+    head.starts_with(b"\x89PNG") && head.windows(mark.len()).any(|bytes| bytes == mark.as_bytes())
+}
+
 /// Bytes of pixels, row by row from the top, as PNG.
 pub fn encode_png(
     pixels: Pixels,
@@ -98,6 +107,8 @@ pub fn encode_png(
         Pixels::Rgba => png::ColorType::Rgba,
     });
     encoder.set_deflate_compression(DEFLATE);
+    let [keyword, name] = SOFTWARE;
+    encoder.add_text_chunk(keyword.into(), name.into())?;
     let mut writer = encoder.write_header()?;
     writer.write_image_data(values)?;
     writer.finish()?;
@@ -107,6 +118,12 @@ pub fn encode_png(
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_picture_names_the_program_in_its_head() {
+        let own = encode_png(Pixels::Grey, [1, 1], &[7]).unwrap();
+        assert!(is_own_png(&own) && !is_own_png(&own[1..]) && !is_own_png(b"\x89PNG and more"));
+    }
 
     /// Picture read by another library: white paper, one picture of two pixels, a line over it.
     #[test]

@@ -160,6 +160,14 @@ pub fn write_png(file: &Path, picture: &Svg) -> Result<(), Failure> {
     files::write_file(file, &bytes)
 }
 
+/// Whether a file that begins with this kilobyte is a picture of this program: a PNG that names it, or an
+/// OpenEXR file with the layer of its maps.
+pub fn is_own(head: &[u8]) -> bool {
+    let layer = exr::LAYER.as_bytes();
+    let is_map = || head.windows(layer.len()).any(|bytes| bytes == layer);
+    raster::is_own_png(head) || (head.starts_with(&exr::MAGIC) && is_map())
+}
+
 /// Writes grey levels, row-major, as PNG.
 pub fn write_gray(file: &Path, size: [usize; 2], pixels: &[u8]) -> Result<(), Failure> {
     let bytes =

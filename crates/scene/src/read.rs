@@ -149,19 +149,19 @@ fn read_header(root: &Section<'_>, models: &mut Models) -> SceneHeader {
     let radar_section = root.section(&RADAR);
     let radar = read_radar(&radar_section, models);
     let (frames, frame_interval_s) = read_frames(root, &radar);
-    let (intersection, lanes) = read_intersection(root, &radar);
+    let (intersection, road_lanes) = read_intersection(root, &radar);
     // Opened once, because opening notes its unknown keys.
     let fidelity_section = root.section(&FIDELITY);
     let materials = read_scene_materials(root, &fidelity_section, &radar, models);
     models.set_materials(&materials, radar.waveform.centre_frequency_hz());
     let fidelity = read_fidelity(&fidelity_section, &root.section(&MODEL));
-    let targets = read_targets(root, &radar, (&lanes, fidelity.echo), models);
+    let targets = read_targets(root, &radar, (&road_lanes.lanes, fidelity.echo), models);
     let recording = read_traffic(root, &radar, frame_interval_s, models);
     let courses = recording
         .as_ref()
         .map(|recording| recording.lanes([root, &radar_section], models))
         .unwrap_or_default();
-    let own_road = Lanes { courses, ..read_own_road(&radar_section, &radar, &lanes) };
+    let own_road = Lanes { courses, ..read_own_road(&radar_section, &radar, &road_lanes) };
     let recording = recording.filter(|_| models.are_opened());
     let traffic = recording.map(|recording| recording.frames(models, &targets));
     let sub_frames = radar.schedule.sub_frames();

@@ -188,27 +188,46 @@ fn read_accuracy(section: &Section<'_>) -> (Accuracy, Option<Goal>) {
     (goal.map_or(asked, Goal::accuracy), goal)
 }
 
+/// Lanes of a scene or of one of its radars, and the width of lanes that set none.
+pub(crate) struct RoadLanes {
+    pub(crate) lanes: Lanes,
+    lane_width_m: f64,
+}
+
 /// Reads the crossing and its lanes: by default those of the paper's Table 1, but none with recorded traffic,
 /// which has its own road. Without lanes the road runs along the radar's boresight.
-pub(crate) fn read_intersection(root: &Section<'_>, radar: &Radar) -> (Intersection, Lanes) {
+pub(crate) fn read_intersection(root: &Section<'_>, radar: &Radar) -> (Intersection, RoadLanes) {
     let section = root.section(&INTERSECTION);
     let is_table_1 = section.exists() || !root.has(TRAFFIC_KEY.name);
-    let lane =
-        |(centre_m, number): (&f64, u8)| Lane { number, centre_m: *centre_m, width_m: LANE_WIDTH.absent.0 };
-    let lanes = if is_table_1 { LANE_CENTRES.absent.0.iter().zip(1..).map(lane).collect() } else { vec![] };
+    let lane_width_m = LANE_WIDTH.absent.0;
+    let lane = |(centre_m, number): (&f64, u8)| Lane { number, centre_m: *centre_m, width_m: lane_width_m };
+    let table_1 = LANE_CENTRES.absent.0.iter().zip(1..).map(lane);
+    let lanes = if is_table_1 {
+        Lanes { lanes: table_1.collect(), ..Lanes::default() }
+    } else {
+        along_boresight(radar)
+    };
     let default_m = if is_table_1 { CROSSING_WIDTH.absent.0 } else { 0.0 };
     let width_m = section.read(&CROSSING_WIDTH).unwrap_or(default_m);
-    (Intersection { width_m }, read_road(&section, radar, &Lanes { lanes, ..Lanes::default() }))
+    (Intersection { width_m }, read_road(&section, radar, &RoadLanes { lanes, lane_width_m }))
 }
 
 /// The lanes that one radar uses, if they differ from the scene's.
-pub(crate) fn read_own_road(radar_section: &Section<'_>, radar: &Radar, scenes: &Lanes) -> Lanes {
-    read_road(&radar_section.section(&RADAR_INTERSECTION), radar, scenes)
+pub(crate) fn read_own_road(radar_section: &Section<'_>, radar: &Radar, scenes: &RoadLanes) -> Lanes {
+    read_road(&radar_section.section(&RADAR_INTERSECTION), radar, scenes).lanes
 }
 
-fn read_road(section: &Section<'_>, radar: &Radar, default: &Lanes) -> Lanes {
-    let width_m = section.read(&LANE_WIDTH);
-    let width_m = width_m.unwrap_or(default.lanes.first().map_or(LANE_WIDTH.absent.0, |lane| lane.width_m));
+/// A road without lanes, from the radar along its boresight.
+fn along_boresight(radar: &Radar) -> Lanes {
+    let [x_m, y_m, _] = radar.position_m;
+    Lanes { origin_m: [x_m, y_m], azimuth_rad: radar.boresight_az_rad, ..Lanes::default() }
+}
+
+/// Lanes of a section, where it sets them; a section that takes all lanes away leaves a road along the
+/// boresight.
+fn read_road(section: &Section<'_>, radar: &Radar, default: &RoadLanes) -> RoadLanes {
+    let RoadLanes { lanes: default, lane_width_m } = default;
+    let width_m = section.read(&LANE_WIDTH).unwrap_or(*lane_width_m);
     let centres = section.read(&LANE_CENTRES);
     let centres = centres.unwrap_or(default.lanes.iter().map(|lane| lane.centre_m).collect());
     if section.exists() {
@@ -216,18 +235,16 @@ fn read_road(section: &Section<'_>, radar: &Radar, default: &Lanes) -> Lanes {
     }
     let lanes: Vec<Lane> =
         centres.iter().zip(1..).map(|(m, number)| Lane { number, centre_m: *m, width_m }).collect();
-    let [x_m, y_m, _] = radar.position_m;
-    let (origin_m, azimuth_rad) = match lanes[..] {
-        [] => ([x_m, y_m], radar.boresight_az_rad),
-        _ => (default.origin_m, default.azimuth_rad),
-    };
+    let are_taken_away = lanes.is_empty() && !default.lanes.is_empty();
+    let road = if are_taken_away { along_boresight(radar) } else { default.clone() };
     let azimuth_deg = section.read(&LANE_AZIMUTH);
-    Lanes {
-        origin_m: section.read(&LANE_ORIGIN).unwrap_or(origin_m),
-        azimuth_rad: azimuth_deg.map_or(azimuth_rad, f64::to_radians),
+    let lanes = Lanes {
+        origin_m: section.read(&LANE_ORIGIN).unwrap_or(road.origin_m),
+        azimuth_rad: azimuth_deg.map_or(road.azimuth_rad, f64::to_radians),
         lanes,
         courses: vec![],
-    }
+    };
+    RoadLanes { lanes, lane_width_m: width_m }
 }
 
 fn check_lanes(section: &Section<'_>, centres: &[f64], width_m: f64) {

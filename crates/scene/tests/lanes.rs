@@ -63,6 +63,28 @@ fn without_lanes_the_road_runs_where_the_radar_looks() {
 }
 
 #[test]
+fn a_road_without_lanes_runs_as_its_scene_says() {
+    let without =
+        "[intersection]\nlane_centres_m = []\nlane_azimuth_deg = 30.0\nlane_origin_m = [5.0, 7.0]\n";
+    let road = read(NET, without).unwrap();
+    assert_eq!((road.lanes.len(), road.origin_m), (0, [5.0, 7.0]));
+    assert!((road.azimuth_rad.to_degrees() - 30.0).abs() < 1e-12);
+    let own = "[radar.intersection]\nlane_azimuth_deg = 40.0\n";
+    let road = read(NET, &format!("{own}{without}")).unwrap();
+    assert!((road.azimuth_rad.to_degrees() - 40.0).abs() < 1e-12 && road.origin_m == [5.0, 7.0]);
+    let taken_away = "[radar]\nboresight_az_deg = 90.0\n[radar.intersection]\nlane_centres_m = []\n";
+    let road = read(NET, &format!("{taken_away}[intersection]\nlane_azimuth_deg = 30.0\n")).unwrap();
+    assert!((road.azimuth_rad.to_degrees() - 90.0).abs() < 1e-12, "along the boresight");
+}
+
+#[test]
+fn lanes_of_one_radar_are_as_wide_as_the_scene_says() {
+    let own = "[radar.intersection]\nlane_centres_m = [0.0]\n";
+    let scenes = "[intersection]\nlane_width_m = 5.0\nlane_centres_m = []\n";
+    assert_eq!(read(NET, &format!("{own}{scenes}")).unwrap().lanes[0].width_m, 5.0);
+}
+
+#[test]
 fn a_target_cannot_stand_in_a_lane_that_there_is_not() {
     let target = "[[target]]\nkind = \"point\"\nid = \"p\"\nrcs_m2 = 1.0\nlane = 2\ny_m = 40.0\n";
     let refused = read(NET, &format!("{TRAFFIC}{target}")).unwrap_err();
@@ -84,6 +106,16 @@ fn lanes_of_a_network_have_its_shapes_widths_and_names() {
     // outside.
     assert_eq!((at(2.0, 29.9), at(2.0, 100.1), at(-20.1, 10.0)), (None, None, None));
     assert_eq!((at(-9.0, 9.0), at(-10.5, 10.5), at(-11.7, 15.0)), (Some(3), Some(3), None));
+    assert_eq!((at(-10.0, 19.9), at(-10.0, 20.1)), (Some(3), None), "the last part has no length");
+}
+
+#[test]
+fn a_lane_of_a_network_ends_where_its_last_part_ends_however_short_that_is() {
+    let lane =
+        "<edge id=\"a\"><lane id=\"a_0\" index=\"0\" shape=\"10,100 10,50.2 10,50\" width=\"3.2\"/></edge>";
+    let road = read(&format!("<net version=\"1.20\">{lane}</net>"), WITH_NET).unwrap();
+    let at = |y: f64| road.at([10.0, y, 0.75]);
+    assert_eq!((at(100.1), at(99.9), at(50.1), at(49.9), at(49.0)), (None, Some(1), Some(1), None, None));
 }
 
 #[test]

@@ -393,7 +393,7 @@ fn binary_and_text_stl_and_obj_hold_the_same_cube_corner() {
         )
     });
     let text = format!("solid corner\n{}endsolid corner\n", facets.collect::<String>());
-    let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1 1.0\no c\ng c\ns off\nusemtl  bare metal # why\nf 1 2 3\nf -4/1 -2/2 \\\n-1/3\n";
+    let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1 1.0\no c\ng c\ns off\nusemtl  bare metal_#25 # why\nf 1 2 3\nf -4/1 -2/2 \\\n-1/3\n";
     let read = |bytes: &[u8], format| mesh_from_bytes(bytes, format, Path::new("c"), &METRES).unwrap();
     let from_binary = read(&binary, Format::Stl);
     for text in [&text, &text.to_uppercase()] {
@@ -401,7 +401,7 @@ fn binary_and_text_stl_and_obj_hold_the_same_cube_corner() {
     }
     let from_obj = read(obj.as_bytes(), Format::Obj);
     assert_eq!(surface(&from_binary), surface(&from_obj));
-    assert_eq!(from_obj.materials, ["bare metal"]);
+    assert_eq!(from_obj.materials, ["bare metal_#25"]);
     assert_eq!((from_binary.statistics.open_edges, from_obj.statistics.open_edges), (4, 4));
     // Body axes already: forward stays forward.
     assert!(from_obj.vertices_m.contains(&[1.0, 0.0, 0.0]));

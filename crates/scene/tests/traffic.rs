@@ -353,6 +353,8 @@ fn a_lane_change_ends_in_its_lane_and_a_teleport_leaves_a_gap() {
     let vehicle = &steps[60].vehicles[0];
     assert_eq!(interval.bumper(vehicle, 5.95), None);
     assert_eq!(interval.bumper(vehicle, 6.0).unwrap().front_m.y, -300.0);
+    // 0.7 + 53 times 0.1 is rounded to just before it.
+    assert_eq!(interval.bumper(vehicle, 6.0_f64.next_down()).unwrap().front_m.y, -300.0);
 }
 
 /// Steps of a second and more: x(t) = 2 m + 3.75 m·(3s² − 2s³), s = (t − t₀)/4 s, from the step before the

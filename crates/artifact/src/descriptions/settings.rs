@@ -324,16 +324,15 @@ pub struct NetworkLane {
 }
 
 impl NetworkLane {
-    /// Distance of a position from the centreline; `None` before its start and beyond its end.
+    /// Distance of a position from the centreline; `None` where its nearest part is the first, which begins
+    /// beyond it, or the last, which has ended.
     pub fn distance_m(&self, place_m: [f64; 2]) -> Option<f64> {
-        let last = self.line_m.len().saturating_sub(2);
-        let parts = self.line_m.windows(2).enumerate();
-        let beside = parts.filter_map(|(part, ends)| {
-            let (share, distance_m) = beside(place_m, [ends[0], ends[1]])?;
-            let is_off = (part == 0 && share < 0.0) || (part == last && share > 1.0);
-            (!is_off).then_some(distance_m)
-        });
-        beside.reduce(f64::min)
+        let parts = self.line_m.windows(2).filter_map(|ends| beside(place_m, [ends[0], ends[1]]));
+        let parts: Vec<(f64, f64)> = parts.collect();
+        let (nearest, (share, distance_m)) =
+            parts.iter().enumerate().min_by(|(_, a), (_, b)| a.1.total_cmp(&b.1))?;
+        let is_off = (nearest == 0 && *share < 0.0) || (nearest + 1 == parts.len() && *share > 1.0);
+        (!is_off).then_some(*distance_m)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Radar cubes: complex IF samples.
 
-use crate::descriptions::radar::Radar;
+use crate::descriptions::radar::{Radar, Sampling};
 use crate::descriptions::settings::{DspSettings, Noise};
 use crate::files::envelope::Schema;
 use crate::quantities::accuracy::ErrorBudget;
@@ -134,9 +134,11 @@ impl CubeHeader {
 
     /// Level of a map cell whose power is summed over `channels`, in the unit's own decibels. Maps are not
     /// scaled, but relative to a full scale their mean over channels is, so that a full-scale tone has 0
-    /// dBFS.
+    /// dBFS; a real one has half of its amplitude in either of its two lines.
     pub fn map_level_db(&self, power: f64, channels: usize) -> f64 {
-        let gain = f64::from(self.radar.waveform.chirps) * f64::from(self.radar.waveform.samples);
+        let waveform = &self.radar.waveform;
+        let of_line = if waveform.sampling == Sampling::Real { 0.5 } else { 1.0 };
+        let gain = of_line * f64::from(waveform.chirps) * f64::from(waveform.samples);
         match self.unit {
             SampleUnit::RootWatts | SampleUnit::Steps => self.unit.level_db(power),
             SampleUnit::FullScale(_) => self.unit.level_db(power / (gain * gain * channels.max(1) as f64)),

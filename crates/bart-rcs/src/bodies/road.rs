@@ -14,6 +14,7 @@ use crate::bodies::world::World;
 use crate::materials::reflection_coefficients::PolarizationPair;
 use crate::materials::surface_response::reflection;
 use crate::run_control::error::BartError;
+use artifact::Radar;
 use artifact::material::{Material, Road};
 use artifact::permittivity::substance;
 use artifact::scene::SceneHeader;
@@ -48,13 +49,19 @@ pub(crate) fn check_road(header: &SceneHeader) -> Result<(), BartError> {
     let fidelity = &header.fidelity;
     match header.road {
         None => Ok(()),
-        Some(_) if header.radar.position_m[2] <= 0.0 => {
-            Err(BartError::AntennaBelowRoad { height_m: header.radar.position_m[2] })
+        Some(_) if lowest_m(&header.radar) <= 0.0 => {
+            Err(BartError::AntennaBelowRoad { height_m: lowest_m(&header.radar) })
         }
         Some(_) if fidelity.sides == Sides::One => refused("[road] with sides = \"one\""),
         Some(_) if fidelity.echo == EchoMode::RcsTable => refused("[road] with echo = \"rcs-table\""),
         Some(_) => Ok(()),
     }
+}
+
+/// Height of the lowest of the radar's position and its elements.
+fn lowest_m(radar: &Radar) -> f64 {
+    let elements = radar.array.tx_m.iter().chain(&radar.array.rx_m);
+    elements.map(|element| element[2]).fold(radar.position_m[2], f64::min)
 }
 
 /// Dry asphalt with a roughness of 0.5 mm: the road that a scene without one is reported to leave out.

@@ -55,7 +55,7 @@ impl RowEnds {
 impl ArrayRow {
     /// Row of a scene's array.
     pub(crate) fn of(radar: &Radar) -> Self {
-        let [right, up, _] = axes(radar);
+        let [right, _ahead, up] = axes(radar);
         let [across, upright] = [right, up].map(|axis| Self::along(axis, radar));
         if upright.half_m > across.half_m { upright } else { across }
     }
@@ -194,6 +194,17 @@ mod tests {
 
     fn checked_m(array: Preset, poses: &[Pose]) -> [DVec3; 2] {
         checked_from_m(&radar(array), poses, [5e-3, 8e-3]).0
+    }
+
+    #[test]
+    fn the_row_of_an_array_is_where_it_is_widest_across_or_upright() {
+        let across = ArrayRow::of(&radar(Preset::TwelveBySixteen));
+        let upright =
+            |elements: [Vec<[f64; 2]>; 2]| elements.map(|e| e.iter().map(|[x, y]| [*y, *x]).collect());
+        let turned = upright(Preset::TwelveBySixteen.elements());
+        let turned = ArrayRow::of(&paper::radar([0.0, 0.0, 6.0], paper::waveform(256, 128), turned));
+        assert!(across.axis.x.abs() > 0.999 && turned.axis.z.abs() > 0.999, "{across:?}, {turned:?}");
+        assert!((across.half_m - turned.half_m).abs() < 1e-9 && across.ends == turned.ends);
     }
 
     /// A body that moves to the right shows its left side: more of it from an element left of the centre, the

@@ -8,7 +8,7 @@
 pub(crate) mod target_error;
 
 use crate::frame::band_power::{MARGIN, frequencies_hz, mean, mean_difference, power_over_frame, total};
-use crate::frame::integration_error::{IntegrationError, integration_error, of_order};
+use crate::frame::integration_error::{IntegrationError, echoes_of_bodies, integration_error, of_order};
 use crate::frame::path_plan::Plan;
 use crate::frame::path_sum::{PathView, element_over_band};
 use crate::joins::join::tree_order;
@@ -41,8 +41,16 @@ pub(crate) struct FrameReference {
     left_out_m: Option<Vec<Complex64>>,
     /// Fineness of the reference's integrals, and of those of the paths compared with it.
     pub(crate) integration: IntegrationError,
-    /// Sum over all orders for a second pair of elements.
-    second: Option<(PathView, Vec<Complex64>)>,
+    /// What a second pair of elements sees.
+    second: Option<SecondPair>,
+}
+
+/// Echo between a second pair of elements, over frequency, summed over all orders.
+struct SecondPair {
+    view: PathView,
+    amplitude_m: Vec<Complex64>,
+    /// Echo of each body, in the order of the targets, without paths that meet others.
+    bodies_m: Vec<Vec<Complex64>>,
 }
 
 /// Measured errors of one table of paths, as amplitudes relative to the frame's.
@@ -101,8 +109,11 @@ fn wavenumbers_per_m(frequencies_hz: &[f64]) -> Vec<f64> {
 impl FrameReference {
     /// This reference extended by a second pair of elements at a position and moment.
     pub(crate) fn with_second(self, scatterer: &Scatterer<'_>, plan: &Plan<'_>, view: PathView) -> Self {
-        let seen_m = self.of_other_beams(scatterer, plan);
-        Self { second: Some((view, seen_m)), ..self }
+        let wavenumbers = wavenumbers_per_m(&self.frequencies_hz);
+        let echoes = echoes_of_bodies(scatterer, plan, &wavenumbers, &self.integration.accuracy_of_body);
+        let amplitude_m = total(echoes.iter().map(|echo| echo.with_others_m.clone()), wavenumbers.len());
+        let bodies_m = echoes.into_iter().map(|echo| echo.alone_m).collect();
+        Self { second: Some(SecondPair { view, amplitude_m, bodies_m }), ..self }
     }
 
     /// Scattering amplitude with other beams, summed over all orders, by the requested rule with the same
@@ -117,8 +128,8 @@ impl FrameReference {
     /// Mean power between both pairs of elements of a wide array, 0 otherwise: paths that miss the field off
     /// the array's centre are no measure of their own error.
     fn power_over_array(&self) -> f64 {
-        let of_second = |(_, second): &(PathView, Vec<Complex64>)| mean(second);
-        self.second.as_ref().map(of_second).map_or(0.0, |second| 0.5 * (self.power_m2() + second))
+        let of_second = |second: &SecondPair| 0.5 * (self.power_m2() + mean(&second.amplitude_m));
+        self.second.as_ref().map_or(0.0, of_second)
     }
 
     /// Spread between the node rules where both are known, and the first missing order, both relative to all
@@ -213,7 +224,7 @@ impl FrameError {
             mean_difference(&exact, &sum_of(paths))
         };
         let first = missed(&plan.check_view(), &reference.total_m());
-        let second = reference.second.as_ref().map(|(view, bodies)| missed(view, bodies));
+        let second = reference.second.as_ref().map(|second| missed(&second.view, &second.amplitude_m));
         // The reference is integrated as finely as the paths: the errors of both are added.
         let integration_power = reference.integration.power;
         let compared = second.map_or(first, |second| 0.5 * (first + second));

@@ -109,6 +109,49 @@ pub(crate) fn of_order(
     total(accuracy_of_body.iter().enumerate().map(of_body), wavenumbers_per_m.len())
 }
 
+/// Echo of a body over frequency, summed over all orders.
+pub(crate) struct EchoOfBody {
+    /// All paths whose node lies on it.
+    pub(crate) with_others_m: Vec<Complex64>,
+    /// Those that meet no other body.
+    pub(crate) alone_m: Vec<Complex64>,
+}
+
+/// Echoes of all bodies in the radar's polarization, in the order of the targets, with the given accuracy of
+/// the integrals on each.
+pub(crate) fn echoes_of_bodies(
+    scatterer: &Scatterer<'_>,
+    plan: &Plan<'_>,
+    wavenumbers_per_m: &[f64],
+    accuracy_of_body: &[f64],
+) -> Vec<EchoOfBody> {
+    let (settings, count) = (plan.meetings(), wavenumbers_per_m.len());
+    let bracket = bracket_of(settings.nodes);
+    let orders = 1..=plan.header.fidelity.bounces;
+    let meetings: Vec<OrderJoints> =
+        orders.map(|order| OrderJoints::of(scatterer, order, &settings)).collect();
+    let between = between_bodies(scatterer, &meetings, accuracy_of_body.len());
+    let of = |(body, accuracy): (usize, &f64)| {
+        let integration = Integration { wavenumbers_per_m, accuracy: *accuracy, bracket };
+        let of_part = |meeting: &OrderJoints| {
+            of_meeting(scatterer, plan, &meeting.on_body(scatterer, body), &integration)
+        };
+        let with_others_m = total(meetings.iter().map(of_part), count);
+        let others_m = total(between.iter().map(of_part), count);
+        let alone_m = with_others_m.iter().zip(&others_m).map(|(all, others)| all - others).collect();
+        EchoOfBody { with_others_m, alone_m }
+    };
+    accuracy_of_body.iter().enumerate().map(of).collect()
+}
+
+/// Meetings of paths over several of a number of bodies, by order.
+fn between_bodies(scatterer: &Scatterer<'_>, meetings: &[OrderJoints], bodies: usize) -> Vec<OrderJoints> {
+    match bodies {
+        0 | 1 => vec![],
+        _ => meetings.iter().map(|meeting| meeting.between_vehicles(scatterer)).collect(),
+    }
+}
+
 /// S of one order over frequency in the radar's polarization.
 pub(crate) fn of_meeting(
     scatterer: &Scatterer<'_>,
@@ -148,10 +191,7 @@ impl MeasuredMeetings<'_> {
 
     /// Echoes of all bodies, without paths between them.
     fn echoes(&self, bodies: &[BodyAmplitudes]) -> Vec<BodyEcho> {
-        let between: Vec<OrderJoints> = match bodies.len() {
-            0 | 1 => vec![],
-            _ => self.meetings.iter().map(|meeting| meeting.between_vehicles(self.scatterer)).collect(),
-        };
+        let between = between_bodies(self.scatterer, self.meetings, bodies.len());
         bodies.iter().enumerate().map(|(index, body)| self.echo((index, body), &between)).collect()
     }
 

@@ -54,10 +54,20 @@ pub(crate) fn trace_frame(
     let gains = BodyGains::of(models, header, frame)?;
     let plan = Plan::of(header, frame, context.progress).with_gains(gains);
     let scenery = TracedScene { models, frame, plan: &plan, held_bytes: 0 };
-    match context.like.and_then(|measured| Some((measured, measured.trace.fineness.as_ref()?))) {
+    let result = match context.like.and_then(|measured| Some((measured, measured.trace.fineness.as_ref()?))) {
         Some((measured, fineness)) => traced_like(&scenery, measured, fineness),
         None => traced(&scenery),
-    }
+    }?;
+    check_amplitudes(header, &result)?;
+    Ok(result)
+}
+
+/// Refuses paths whose amplitude is NaN or infinite: relative to them, every error would be.
+fn check_amplitudes(header: &SceneHeader, frame: &PathsFrame) -> Result<(), BartError> {
+    let is_finite = |path: &Path| path.amplitude_m.iter().flatten().all(|a| a.is_finite());
+    let Some(path) = frame.paths.iter().find(|path| !is_finite(path)) else { return Ok(()) };
+    let target = header.targets.get(path.target as usize).map_or("?", |target| &target.id);
+    Err(BartError::AmplitudeNotFinite { place: format!("frame {}, target `{target}`", frame.index) })
 }
 
 fn traced(scenery: &TracedScene<'_>) -> Result<PathsFrame, BartError> {

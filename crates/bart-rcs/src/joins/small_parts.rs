@@ -20,6 +20,7 @@ use artifact::seed;
 use artifact::settings::NodeRule;
 use glam::DVec3;
 use num_complex::Complex64;
+use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
@@ -55,17 +56,24 @@ pub(crate) fn small_scatterers(
     (seed, wavenumber_per_m): (u64, f64),
 ) -> Vec<SmallScatterer> {
     let bodies = Bodies::of(scatterer.world);
-    let of_joint = |joint: &Joint| {
-        let polygon_m = joints.polygon(joint);
-        let lit = scatterer.forward(joint);
-        let reflected = reflected_amplitude(scatterer.world, lit.facet, wavenumber_per_m);
-        let scattering = LitFacet { scatterer, joint, lit, reflected };
-        let drawn = bodies.drawn(scatterer.world, lit.facet, seed);
-        let inside = drawn.into_iter().filter(|part| is_inside(polygon_m, lit.lit_normal, part.at_m));
-        inside.map(|part| scattering.of(&part)).collect::<Vec<_>>()
+    let facet_of = |joint: &Joint| scatterer.forward(joint).facet;
+    // The parts of a facet are drawn once, in however many pieces it is lit.
+    let of_facet = |joints_on: &[&Joint]| {
+        let Some(facet) = joints_on.first().map(|joint| facet_of(joint)) else { return Vec::new() };
+        let reflected = reflected_amplitude(scatterer.world, facet, wavenumber_per_m);
+        let drawn = bodies.drawn(scatterer.world, facet, seed);
+        let of_joint = |joint: &&Joint| {
+            let (polygon_m, lit) = (joints.polygon(joint), scatterer.forward(joint));
+            let scattering = LitFacet { scatterer, joint, lit, reflected };
+            let inside = drawn.iter().filter(|part| is_inside(polygon_m, lit.lit_normal, part.at_m));
+            inside.map(|part| scattering.of(part)).collect::<Vec<_>>()
+        };
+        joints_on.iter().flat_map(of_joint).collect()
     };
     let is_direct = |joint: &&Joint| !scatterer.goes_by_road(joint) && is_unobstructed(scatterer, joint);
-    joints.list.iter().filter(is_direct).flat_map(of_joint).collect()
+    let direct: Vec<&Joint> = joints.list.iter().filter(is_direct).collect();
+    let facets: Vec<&[&Joint]> = direct.chunk_by(|a, b| facet_of(a) == facet_of(b)).collect();
+    facets.into_par_iter().flat_map_iter(of_facet).collect()
 }
 
 /// S over wavenumbers of what a transmitter and a receiver (`None` if it is the transmitter), each with its ĥ
@@ -139,7 +147,8 @@ struct Bodies(BTreeMap<u32, (u32, f64)>);
 impl Bodies {
     fn of(world: &World) -> Self {
         let mut bodies = BTreeMap::new();
-        for (index, facet) in (0..).zip(world.facets()) {
+        // Images below a road are no bodies of their own.
+        for (index, facet) in (0..).zip(&world.facets()[..world.triangles()]) {
             bodies.entry(facet.id.body).or_insert((index, 0.0)).1 += facet.area_m2;
         }
         Self(bodies)

@@ -135,9 +135,9 @@ pub enum BartError {
         vertices: usize,
     },
     /// An antenna below the road, which only reflects what is above it.
-    #[error("the radar stands {height_m} m above the road z = 0, which is not above it")]
+    #[error("the radar's lowest element stands {height_m} m above the road z = 0, which is not above it")]
     AntennaBelowRoad {
-        /// Height of the radar's position.
+        /// Height of the lowest of the radar's position and its elements.
         height_m: f64,
     },
     /// A body below the road, which hides it.
@@ -198,6 +198,12 @@ pub enum BartError {
         bounces: u8,
         /// Maximum number of bounces in a record.
         most: u8,
+    },
+    /// A result that is no number, by input that no rule refuses, or by an error of the program.
+    #[error("{place}: the scattering amplitude is not finite, so nothing of it can be used")]
+    AmplitudeNotFinite {
+        /// Frame and target, or aspect.
+        place: String,
     },
     /// A frequency that is not positive.
     #[error("a frequency must be positive and finite, is {frequency_hz} Hz")]

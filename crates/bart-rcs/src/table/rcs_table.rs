@@ -121,6 +121,14 @@ pub fn rcs(
     )
 }
 
+/// Refuses a table with an amplitude that is NaN or infinite: relative to it, every error would be.
+fn check_amplitudes(result: &RcsResult) -> Result<(), BartError> {
+    match result.amplitude_m.iter().position(|a| !a.is_finite()) {
+        None => Ok(()),
+        Some(index) => Err(BartError::AmplitudeNotFinite { place: format!("value {index} of the table") }),
+    }
+}
+
 /// Context in which a table is made: limits, checkpoint, progress, clock, cancellation.
 pub struct RcsContext<'a> {
     /// Memory limit: a mesh predicted to need more is refused before it is traced, and trees that exceed
@@ -176,6 +184,7 @@ pub fn rcs_within(
     };
     let FineTable { table, settings, mirrors } = sweep.fine_table(first, asked)?;
     let mut result = result(request, &table, build);
+    check_amplitudes(&result)?;
     let (traced_again, share) = mirrors.reached();
     result.mirrors =
         MirrorRefinement { least_area_m2: share * settings.trace.least_mirror_area_m2, traced_again };

@@ -205,6 +205,14 @@ fn a_point_target_is_a_path_of_order_zero_with_the_root_of_its_cross_section() {
 }
 
 #[test]
+fn an_amplitude_that_is_no_number_is_refused_with_frame_and_target() {
+    let (header, frame) = scene(&[], &[(-1.0, pose([2.0, 30.0, 1.0], [0.0; 3], 0.0))], -20.0, 1);
+    let refused = Tracer::new(&header).unwrap().all_paths(&header, &frame, &FrameContext::ALONE);
+    let text = refused.err().map_or_else(String::new, |error| error.to_string());
+    assert!(text.starts_with("frame 0, target `point`: the scattering amplitude is not finite"), "{text}");
+}
+
+#[test]
 fn a_hidden_body_gives_no_paths_and_no_nearest_surface() {
     let wall = parallelogram([0.0, -2.0, -2.0], [0.0, 4.0, 0.0], [0.0, 0.0, 4.0]);
     let behind = parallelogram([0.0, -0.5, -0.5], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);

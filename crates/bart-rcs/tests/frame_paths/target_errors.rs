@@ -59,9 +59,10 @@ fn what_a_weak_target_errs_by_of_its_own_echo_is_told_beside_what_the_frame_does
         );
         assert!(errors[0] <= told(&of_alone) && errors[1] <= told(&of_beside));
         assert!(told(&of_beside) < 6.0 * errors[1], "it is no bound out of reach");
-        // Alone the body is the frame.
+        // Alone the body is the frame, except for what beams dropped.
         let frame_alone = of_alone.error.total().unwrap();
-        assert!(told(&of_alone) <= frame_alone * (1.0 + 1e-9), "{frame_alone}");
+        let ratio = told(&of_alone) / frame_alone;
+        assert!((0.9..=1.0 + 1e-9).contains(&ratio), "{} of {frame_alone}", told(&of_alone));
         assert!(told(&of_beside) > 3.0 * whole, "the frame's error tells of the plate");
     }
 }

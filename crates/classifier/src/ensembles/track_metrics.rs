@@ -17,13 +17,17 @@ pub struct ClassificationMetrics {
     pub evaluation: Evaluation,
 }
 
-/// The correlation of frames with the best answers for tracks, in steps of a twentieth.
+/// The correlation of frames with the best answers for tracks, in steps of a twentieth; of equally good ones
+/// the highest: where no track has two frames, nothing shows that further frames tell anything new.
 pub(crate) fn fitted_correlation(seen: &[&Sighting], logits: &[Logits]) -> f64 {
-    let tracks = tracks(seen, logits);
+    best_correlation(&tracks(seen, logits))
+}
+
+fn best_correlation(tracks: &[Track<'_>]) -> f64 {
     let loss = |correlation: f64| -> f64 {
         tracks.iter().map(|t| -log_softmax(t.joined(correlation).map(f64::from))[t.class]).sum()
     };
-    let steps = (0..=20).map(|i| f64::from(i) / 20.0);
+    let steps = (0..=20).rev().map(|i| f64::from(i) / 20.0);
     steps.min_by(|a, b| loss(*a).total_cmp(&loss(*b))).unwrap_or(1.0)
 }
 
@@ -83,4 +87,25 @@ fn classification_metrics(answers: &[(usize, &str)], logits: &[Logits]) -> Class
         |(class, model): &(usize, &str)| Example { pooled: vec![], class: *class, model: (*model).into() };
     let examples: Vec<Example> = answers.iter().map(example).collect();
     ClassificationMetrics { by_vehicle: by_vehicle(predictions), evaluation: evaluation(&examples, logits) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn track(class: usize, frames: f64) -> Track<'static> {
+        Track {
+            class,
+            model: "a",
+            log_sums: [frames * 0.5_f64.ln(), frames * 0.2_f64.ln(), 0.0, 0.0],
+            frames,
+        }
+    }
+
+    #[test]
+    fn tracks_of_one_frame_tell_nothing_of_the_correlation_and_count_as_one_whatever_it_is() {
+        let lone = [track(0, 1.0), track(1, 1.0)];
+        assert_eq!(best_correlation(&lone), 1.0);
+        assert_eq!(lone[0].joined(0.0), lone[0].joined(1.0));
+    }
 }

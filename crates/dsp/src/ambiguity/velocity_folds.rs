@@ -71,10 +71,16 @@ fn resolved_by(own: &SubFrame<'_>, other: &SubFrame<'_>) -> PointsFrame {
     for (object, (choice, (best, is_certain))) in frame.objects.iter_mut().zip(choices.iter().zip(&chosen)) {
         over_ends_m.push(scorer.move_object(object, choice.folds[*best]));
         object.velocity_resolved = *is_certain;
+        if scorer.is_certainly_moving(object) {
+            object.stationary = object.stationary.map(|_| false);
+        }
     }
     for point in &mut frame.points {
         let object = point.object.map(|index| index as usize);
         scorer.move_point(point, object.map(|index| (&frame.objects[index], over_ends_m[index])));
+        if object.is_some_and(|index| scorer.is_certainly_moving(&frame.objects[index])) {
+            point.stationary = point.stationary.map(|_| false);
+        }
     }
     frame
 }
@@ -94,6 +100,12 @@ struct Scorer<'a> {
 }
 
 impl Scorer<'_> {
+    /// Whether an object's resolved fold is not the one at rest: marks were made while either was possible.
+    fn is_certainly_moving(&self, object: &Object) -> bool {
+        let fastest_shown_mps = self.own.plan.radar.velocity_max_mps();
+        object.velocity_resolved && object.radial_velocity_mps.abs() > fastest_shown_mps
+    }
+
     /// Folds up to the fastest vehicle, and their scores.
     fn choices(&self, object: Option<u32>) -> FoldHypotheses {
         let span_mps = ambiguity_mps(&self.own.plan.radar);

@@ -212,7 +212,9 @@ impl Correlation {
             bands.power().iter().map(|k| (k / with_itself).powi(exponent)).collect::<Vec<f64>>()
         });
         let sum = |axis: usize, a: [i64; 2], b: [i64; 2]| -> f64 {
-            (a[0]..=a[1]).map(|i| (b[0]..=b[1]).map(|j| at_lag(&kappa[axis], i - j)).sum::<f64>()).sum()
+            let longest = kappa[axis].len() as i64;
+            let pairs = |lag: i64| (a[1].min(b[1] + lag) - a[0].max(b[0] + lag) + 1).max(0) as f64;
+            (1 - longest..longest).map(|lag| at_lag(&kappa[axis], lag) * pairs(lag)).sum()
         };
         region.all_parts().map(|(sign, a)| sign * sum(0, a[0], with[0]) * sum(1, a[1], with[1])).sum()
     }
@@ -241,10 +243,14 @@ fn at_lag(of_lag: &[f64], lag: i64) -> f64 {
 
 const CENTRE: Rectangle = [[0, 0], [0, 0]];
 
-/// Sum Σρ(i − j)·ρ(j − k)·ρ(k − i) over three intervals, without the lags at which ρ is negligible.
+/// Sum Σρ(i − j)·ρ(j − k)·ρ(k − i) over three intervals, without the lags at which ρ is negligible: these may
+/// lie between others, since the response of a window repeats after the length of its axis.
 fn triple_sum(rho: &[f64], [a, b, c]: [[i64; 2]; 3]) -> f64 {
-    let reach = rho.iter().rposition(|r| *r != 0.0).unwrap_or(0) as i64;
-    let near = |at: i64, [first, last]: [i64; 2]| first.max(at - reach)..=last.min(at + reach);
+    let longest = rho.len() as i64;
+    let lags: Vec<i64> = (1 - longest..longest).filter(|lag| at_lag(rho, *lag) != 0.0).collect();
+    let near = |at: i64, [first, last]: [i64; 2]| {
+        lags.iter().map(move |lag| at + lag).filter(move |near| (first..=last).contains(near))
+    };
     let at = |i: i64, j: i64| at_lag(rho, i - j);
     let closed = |i: i64, j: i64| -> f64 { near(i, c).map(|k| at(j, k) * at(k, i)).sum() };
     (a[0]..=a[1]).map(|i| near(i, b).map(|j| at(i, j) * closed(i, j)).sum::<f64>()).sum()

@@ -1,8 +1,10 @@
 //! Sidelobes: the largest share of an echo's power that its windows leak into other cells of the map.
 //!
 //! A tone between cells leaves W(d − δ)/W(δ) of its own cell's value in a cell d away, over all offsets δ up
-//! to half a cell. Two further effects leave power far from it:
+//! to half a cell. Three further effects leave power far from it:
 //!
+//! - with staggered chirps the rows of a map are the spectrum of chirps at unequal times, which leaves images
+//!   of an echo at the multiples of 1/P of the span, P being the number of delays;
 //! - with Doppler division a cell sums a band of every transmitter, and the sidelobes of all transmitters add
 //!   up in each of them, in phase at worst. Their main lobes are the folds of the echo, which the empty band
 //!   resolves (`empty_band.rs`);
@@ -15,6 +17,8 @@ use crate::spectrum::doppler_bands::band_cycles;
 use crate::spectrum::window::response;
 use artifact::Radar;
 use artifact::radar::{Multiplexing, Sampling};
+use num_complex::Complex64;
+use std::f64::consts::TAU;
 
 /// Shares of power by distance in cells.
 pub(crate) struct Leakage {
@@ -39,8 +43,10 @@ impl Leakage {
             Multiplexing::Simultaneous | Multiplexing::Tdm | Multiplexing::Bpm => 1,
         };
         let has_images = radar.waveform.sampling == Sampling::Real;
+        let of_rows = || worst_shares(doppler, bands, band_cycles(&division, 1));
+        let is_staggered = bands == 1 && !radar.schedule.is_uniform();
         Self {
-            doppler: worst_shares(doppler, bands, band_cycles(&division, 1)),
+            doppler: if is_staggered { worst_staggered_shares(radar, doppler) } else { of_rows() },
             range: worst_shares(range, 1, 0.0),
             has_images,
         }
@@ -80,6 +86,46 @@ fn worst_shares(taper: &[f64], bands: usize, band_cycles: f64) -> Vec<f64> {
         offsets.map(share).fold(FLOOR, f64::max).min(1.0)
     };
     (0..length).map(worst).collect()
+}
+
+/// [`worst_shares`] of staggered chirps: the largest over all transmitters, whose chirps may have other
+/// delays. An echo is assumed to be as fast as the map shows it.
+fn worst_staggered_shares(radar: &Radar, taper: &[f64]) -> Vec<f64> {
+    let rows = taper.len();
+    let of_transmitter = |tx: usize| {
+        let fine = staggered_response(radar, tx, taper);
+        let at = |steps: i32| fine[steps.unsigned_abs() as usize];
+        let worst = |row: usize| {
+            let share = |offset: i32| at(row as i32 * OFFSETS - offset) / at(offset).max(f64::MIN_POSITIVE);
+            (-OFFSETS / 2..=OFFSETS / 2).map(share).fold(FLOOR, f64::max).min(1.0)
+        };
+        (0..rows).map(worst).collect::<Vec<f64>>()
+    };
+    let larger = |a: Vec<f64>, b: Vec<f64>| a.into_iter().zip(b).map(|(a, b)| a.max(b)).collect();
+    (0..radar.array.tx_m.len()).map(of_transmitter).fold(vec![FLOOR; rows], larger)
+}
+
+/// Power |Σ w_m·e^{j2πd(m/N + δ_m/NT)}|²/N² of the chirps of one transmitter, δ_m after those of equal
+/// intervals T, at d from 0 to N and half a cell, in steps of an eighth of a cell: a sum of one transform for
+/// each delay.
+fn staggered_response(radar: &Radar, tx: usize, taper: &[f64]) -> Vec<f64> {
+    let (rows, per_cell) = (taper.len(), OFFSETS as usize);
+    let length = rows * per_cell;
+    let delays = radar.schedule.stagger_s.len().clamp(1, rows);
+    let transform = rustfft::FftPlanner::new().plan_fft_inverse(length);
+    let mut sums = vec![Complex64::ZERO; length + per_cell];
+    for first in 0..delays {
+        let mut spectrum = vec![Complex64::ZERO; length];
+        (first..rows).step_by(delays).for_each(|m| spectrum[m] = taper[m].into());
+        transform.process(&mut spectrum);
+        let late_s = radar.chirp_start_s(tx, first) - radar.chirp_start_s(tx, 0);
+        let late = late_s / radar.repetition_interval_s() - first as f64;
+        for (step, sum) in sums.iter_mut().enumerate() {
+            let turns = step as f64 * late / length as f64;
+            *sum += spectrum[step % length] * Complex64::cis(TAU * turns);
+        }
+    }
+    sums.iter().map(|sum| sum.norm_sqr() / (rows as f64).powi(2)).collect()
 }
 
 /// Response of a window in steps of a fraction of a cell.
@@ -133,8 +179,8 @@ fn main_lobe(fine: &[f64]) -> i64 {
 /// Response in steps of an eighth of a cell.
 fn fine_response(taper: &[f64]) -> Vec<f64> {
     let length = taper.len() * OFFSETS as usize;
-    let mut spectrum: Vec<num_complex::Complex64> = taper.iter().map(|w| (*w).into()).collect();
-    spectrum.resize(length, num_complex::Complex64::ZERO);
+    let mut spectrum: Vec<Complex64> = taper.iter().map(|w| (*w).into()).collect();
+    spectrum.resize(length, Complex64::ZERO);
     rustfft::FftPlanner::new().plan_fft_forward(length).process(&mut spectrum);
     let scale = (taper.len() as f64).powi(-2);
     debug_assert!((spectrum[0].norm_sqr() * scale - response(taper, 0.0)).abs() < 1e-9);
@@ -146,6 +192,9 @@ mod tests {
     use super::*;
     use crate::spectrum::window::taper;
     use artifact::settings::Window;
+    use radar::aperture::Preset;
+    use radar::paper;
+    use std::f64::consts::PI;
 
     #[test]
     fn sidelobes_of_three_transmitters_in_phase_are_nine_times_those_of_one() {
@@ -158,6 +207,25 @@ mod tests {
         }
         // The folds' main lobes are left to the empty band.
         assert!(three[64] < 1e-4 && (three[1] / one[1] - 1.0).abs() < 0.02, "{} {}", three[64], three[1]);
+    }
+
+    /// Against the sum over the chirps' own times.
+    #[test]
+    fn staggered_chirps_leave_images_at_their_part_of_the_span() {
+        let mut radar = paper::radar([0.0; 3], paper::waveform(64, 32), Preset::OneByOne.elements());
+        radar.schedule.stagger_s = vec![0.0, 10e-6];
+        let window = taper(Window::Hann, 32).unwrap();
+        let interval_s = radar.repetition_interval_s();
+        for (step, told) in staggered_response(&radar, 0, &window).into_iter().enumerate() {
+            let turns = |m: usize| step as f64 / 8.0 / 32.0 * radar.chirp_start_s(0, m) / interval_s;
+            let sum: Complex64 = (0..32).map(|m| Complex64::cis(TAU * turns(m)) * window[m] / 32.0).sum();
+            assert!((told - sum.norm_sqr()).abs() < 1e-12, "{step}: {told}, {}", sum.norm_sqr());
+        }
+        let shares = worst_staggered_shares(&radar, &window);
+        // |1 − e^{jπδ/T}|²/4 half a span away.
+        let image = (1.0 - Complex64::cis(PI * 10e-6 / interval_s)).norm_sqr() / 4.0;
+        assert!((shares[16] / image - 1.0).abs() < 0.3, "{} and {image}", shares[16]);
+        assert!(shares[8] < 1e-3 * image, "{}", shares[8]);
     }
 
     #[test]

@@ -21,22 +21,34 @@ pub(crate) struct BeamformedMap<'a> {
 
 impl BeamformedMap<'_> {
     /// Additional peaks on the slopes of `peaks`, strongest first; `slopes` are detected cells and the peak
-    /// on whose slope each lies.
-    pub(crate) fn on_slopes(&self, slopes: &[([usize; 2], usize)], peaks: &[Peak]) -> Vec<Peak> {
+    /// on whose slope each lies, `velocities_mps` the likeliest velocities of the peaks where folds are
+    /// observable: only the right one gives a beam over the slots of the transmitters.
+    pub(crate) fn on_slopes(
+        &self,
+        slopes: &[([usize; 2], usize)],
+        peaks: &[Peak],
+        velocities_mps: &[Option<f64>],
+    ) -> Vec<Peak> {
         if !self.array.beams().iter().any(|beam| beam.is_finite()) {
             return vec![];
         }
         let is_summit = |cell: [usize; 2], peak: usize| cell == [peaks[peak].row, peaks[peak].column];
         let own = |(cell, peak): &([usize; 2], usize)| {
-            (!is_summit(*cell, *peak)).then(|| self.own_peak(*cell, &peaks[*peak], peaks)).flatten()
+            let summit = (&peaks[*peak], velocities_mps[*peak]);
+            (!is_summit(*cell, *peak)).then(|| self.own_peak(*cell, summit, peaks)).flatten()
         };
         let mut found: Vec<Peak> = slopes.par_iter().filter_map(own).collect();
         found.sort_by(|a, b| b.power.total_cmp(&a.power).then((a.row, a.column).cmp(&(b.row, b.column))));
         found
     }
 
-    fn own_peak(&self, cell: [usize; 2], summit: &Peak, peaks: &[Peak]) -> Option<Peak> {
-        let beam = Beam::strongest(self, cell);
+    fn own_peak(
+        &self,
+        cell: [usize; 2],
+        (summit, summit_mps): (&Peak, Option<f64>),
+        peaks: &[Peak],
+    ) -> Option<Peak> {
+        let beam = Beam::strongest(self, cell, summit_mps);
         let power = beam.power(self, cell);
         let is_highest = self.array.cells().cells.around(cell).all(|other| power > beam.power(self, other));
         (is_highest && power > self.leaked(&beam, cell, peaks)).then(|| self.placed(&beam, cell, summit))
@@ -73,9 +85,12 @@ struct Beam {
 }
 
 impl Beam {
-    fn strongest(view: &BeamformedMap<'_>, cell: [usize; 2]) -> Self {
+    /// The strongest beam in a cell, at the fold of its velocity that is nearest to its summit's if known.
+    fn strongest(view: &BeamformedMap<'_>, cell: [usize; 2], summit_mps: Option<f64>) -> Self {
         let axes = view.array.cells();
-        let velocity_mps = axes.wrapped(axes.velocity_at(cell[0] as f64));
+        let shown_mps = axes.velocity_at(cell[0] as f64);
+        let velocity_mps =
+            summit_mps.map_or(axes.wrapped(shown_mps), |summit_mps| axes.unwrapped(shown_mps, summit_mps));
         let range_m = axes.range_of(cell[1] as f64, velocity_mps);
         let snapshot = view.array.snapshot(view.map, cell, velocity_mps);
         let direction: Direction = view.array.direction(&[snapshot], range_m);

@@ -48,7 +48,8 @@ impl Neighbours<'_> {
             let snapshot = self.plan.array.snapshot(self.map, cell, echo.radial_velocity_mps);
             // Noise bandwidth: the deficit of a cell's power relative to an unwindowed one's signal-to-noise
             // ratio.
-            let energy = self.plan.thresholds.bandwidth_cells / self.noise;
+            let channels = self.plan.array.division().map_channels as f64;
+            let energy = self.plan.thresholds.bandwidth_cells * channels / self.noise;
             let added = beams.correlations(&snapshot).map(|h| energy * h);
             let [rows, columns] = self.along(peak, other);
             let shares = [

@@ -3,7 +3,7 @@
 //! The cells and channels of such points are unknown. A cloud may hold one point for each detected cell or
 //! one for each body, so points within a main lobe of a stronger one follow it, and only the others, the
 //! summits, are clustered, as peaks of a map are. Each group, even of a single point, is an object at the
-//! power-weighted mean of its points.
+//! power-weighted mean of its points, at rest if all of its points are marked so.
 
 use crate::objects::cluster_point::ClusterPoint;
 use crate::objects::clusters::clusters;
@@ -99,7 +99,7 @@ fn object(header: &CubeHeader, points: &[&Point], span_mps: f64) -> Object {
         range_extent_m: extent(points.iter().map(|point| point.range_m)),
         velocity_extent_mps: extent(points.iter().map(|point| near(point.radial_velocity_mps))),
         ghost_share: None,
-        stationary: None,
+        stationary: points.iter().try_fold(true, |all, point| Some(all && point.stationary?)),
     }
 }
 

@@ -32,7 +32,7 @@ use artifact::settings::{Angle, DspSettings, StaticEchoes, Window};
 use artifact::units::{LOWEST_DB, db_from_power};
 use num_complex::Complex32;
 use rayon::prelude::*;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::TAU;
 
 /// Points of a map, strongest first, and objects in the order of their strongest peaks; isolated peaks are
@@ -53,8 +53,12 @@ pub(crate) fn locate_points(
     let mask = recover_masked(&thresholds.censoring, power, &map.mask, noise_threshold);
     let mut peaks = finder.peaks(power, &map.values, &mask, noise_threshold);
     let slopes = finder.slopes(power, &mask, &peaks);
-    peaks.extend(BeamformedMap { map, array, finder }.on_slopes(&slopes, &peaks));
     let context = FrameContext { plan, axes: array.cells(), array, map, noise };
+    let velocities_mps = context.summit_velocities(&slopes, &peaks);
+    let mut on_slopes = BeamformedMap { map, array, finder }.on_slopes(&slopes, &peaks, &velocities_mps);
+    // A beam has the noise of one channel; powers of peaks have that of all.
+    on_slopes.iter_mut().for_each(|peak| peak.power += noise - context.channel_noise());
+    peaks.extend(on_slopes);
     let mut located_echoes = context.resolve_folds_by_object(context.locate_all(&peaks), &peaks);
     context.mark_ghosts(&mut located_echoes);
     if let Some(samples) = samples {
@@ -182,7 +186,7 @@ impl FrameContext<'_> {
     ) -> Vec<LocatedEcho> {
         let snapshot = self.array.snapshot(self.map, [peak.row, peak.column], radial_velocity_mps);
         let echoes = self.directions(&snapshot, range_m).into_iter().map(|(direction, share)| LocatedEcho {
-            peak: Peak { power: share * peak.power, ..peak },
+            peak: Peak { power: self.power_of_share(peak.power, share), ..peak },
             range_m,
             radial_velocity_mps,
             snapshot: snapshot.clone(),
@@ -192,6 +196,27 @@ impl FrameContext<'_> {
             two_ways_rad: None,
         });
         echoes.collect()
+    }
+
+    /// Power of a share of a cell's echo with the noise of the whole cell, which is subtracted later.
+    fn power_of_share(&self, power: f64, share: f64) -> f64 {
+        if share == 1.0 { power } else { self.noise + share * (power - self.noise).max(0.0) }
+    }
+
+    /// Velocity of each peak on whose slope a cell lies, at its likeliest fold; `None` for other peaks, and
+    /// where folds are not observable.
+    fn summit_velocities(&self, slopes: &[([usize; 2], usize)], peaks: &[Peak]) -> Vec<Option<f64>> {
+        if !folds_are_observable(&self.plan.radar) {
+            return vec![None; peaks.len()];
+        }
+        let summits: BTreeSet<usize> = slopes.iter().map(|(_, peak)| *peak).collect();
+        let of = |(index, peak): (usize, &Peak)| {
+            let shown_mps = self.axes.wrapped(self.axes.velocity_at(peak.fine_row));
+            let at = (shown_mps, self.range_m(peak, shown_mps));
+            let folds = || FoldResiduals::of_cell(self.array, self.map, [peak.row, peak.column], at);
+            summits.contains(&index).then(|| self.choice(&folds()).velocity_mps)
+        };
+        peaks.par_iter().enumerate().map(of).collect()
     }
 
     fn range_m(&self, peak: &Peak, velocity_mps: f64) -> f64 {

@@ -13,7 +13,7 @@
 
 use crate::error::EchoError;
 use artifact::paths::{GROUND, Path};
-use artifact::radar::Radar;
+use artifact::radar::{Pattern, Radar};
 use artifact::scene::Backscatter;
 use artifact::seed;
 use num_complex::Complex64;
@@ -64,8 +64,9 @@ impl GroundGrid {
         let deep_m = if height_m > 0.0 { (radar.waveform.range_max_m() - height_m).max(0.0) } else { 0.0 };
         let rings = (PATCHES_PER_CELL * deep_m / radar.waveform.range_resolution_m()).ceil() as usize;
         // A row of n virtual elements half a wavelength apart has beams of 2/n rad straight ahead, where they
-        // are narrowest.
-        let sectors = (PATCHES_PER_CELL * PI * 0.5 * virtual_row(radar)).ceil() as usize;
+        // are narrowest; a single element has that of its pattern.
+        let beams_per_rad = (0.5 * virtual_row(radar)).max(1.0 / two_way_beam_rad(&radar.array.pattern));
+        let sectors = (PATCHES_PER_CELL * PI * beams_per_rad).ceil() as usize;
         Self {
             height_m,
             rings,
@@ -103,6 +104,27 @@ fn virtual_row(radar: &Radar) -> f64 {
         across().fold(f64::NEG_INFINITY, f64::max) - across().fold(f64::INFINITY, f64::min)
     };
     1.0 + span(&radar.array.tx_half_wavelengths).max(0.0) + span(&radar.array.rx_half_wavelengths).max(0.0)
+}
+
+/// Azimuths at which the two-way power of an element is at least half of its maximum, together; π ahead for
+/// one without a pattern.
+fn two_way_beam_rad(pattern: &Pattern) -> f64 {
+    const STEPS: usize = 4096;
+    let elevations_rad: &[f64] = match pattern {
+        Pattern::Table(table) => &table.elevation_rad,
+        Pattern::Isotropic | Pattern::Cosine { .. } => &[0.0],
+    };
+    let two_way_power = |step: usize| {
+        let azimuth_rad = PI * ((step as f64 + 0.5) / STEPS as f64 - 0.5);
+        let at = |elevation_rad: &f64| {
+            let (up, level) = elevation_rad.sin_cos();
+            pattern.amplitude([level * azimuth_rad.sin(), level * azimuth_rad.cos(), up]).powi(4)
+        };
+        elevations_rad.iter().map(at).fold(0.0, f64::max)
+    };
+    let power: Vec<f64> = (0..STEPS).map(two_way_power).collect();
+    let half = 0.5 * power.iter().copied().fold(0.0, f64::max);
+    PI * power.iter().filter(|power| **power >= half).count() as f64 / STEPS as f64
 }
 
 /// Random numbers for one ring.

@@ -5,8 +5,9 @@
 //! τ_k, Chebyshev points in the number that the accuracy requires. So Σ_p x_p·e^{j[φ(T) − φ(T − τ_p)]} = Σ_k
 //! e^{j[φ(T) − φ(T − τ_k)]}·Σ_p ℓ_k(τ_p)·x_p, and the inner sums are fast sums of weighted paths. The delays
 //! τ_k move with the paths' middle one, from pair to pair of elements and from chirp to chirp; the paths'
-//! motion relative to it is bounded. If either error is too large, paths are halved by delay; a single path
-//! is computed from the formulas.
+//! motion relative to it is bounded. If the first error is too large, paths are halved by delay; if the
+//! second, by what differs most: the delay at an element and a chirp, relative to that at the first. A single
+//! path is computed from the formulas.
 
 use crate::impairments::oscillator::Oscillator;
 use crate::links::multiplexing::{Transmission, row};
@@ -29,10 +30,9 @@ pub fn cube(
 ) -> Vec<Complex64> {
     let [chirps, samples] = [radar.waveform.chirps as usize, radar.waveform.samples as usize];
     let mut cube = vec![Complex64::ZERO; radar.cube_channels() * chirps * samples];
-    let mut delayed: Vec<DelayedPath<'_>> = paths.iter().map(|path| DelayedPath::new(radar, path)).collect();
-    delayed.sort_by(|a, b| a.delay_s.total_cmp(&b.delay_s));
+    let delayed: Vec<DelayedPath<'_>> = paths.iter().map(|path| DelayedPath::new(radar, path)).collect();
     let sum = PhaseNoiseSum { radar, centre_frequency_hz, oscillator, accuracy };
-    sum.add(&delayed, &mut cube);
+    sum.add(delayed, &mut cube);
     cube
 }
 
@@ -60,6 +60,11 @@ impl<'p> DelayedPath<'p> {
         let first = row(radar, 0, 0)[0];
         Self { path, delay_s: delay_s(path, &first, radar.frame_middle_s()) }
     }
+
+    /// Delay at the start of a transmission beyond the one of [`Self::delay_s`].
+    fn later_s(&self, transmission: &Transmission) -> f64 {
+        delay_s(self.path, transmission, transmission.start_s) - self.delay_s
+    }
 }
 
 struct PhaseNoiseSum<'a> {
@@ -73,21 +78,26 @@ struct PhaseNoiseSum<'a> {
 const DELAYS_MAX: usize = 16;
 
 impl PhaseNoiseSum<'_> {
-    fn add(&self, paths: &[DelayedPath<'_>], cube: &mut [Complex64]) {
-        let Some(middle) = paths.get(paths.len() / 2) else { return };
-        if paths.len() == 1 {
-            return self.add_exactly(middle.path, cube);
+    fn add(&self, mut paths: Vec<DelayedPath<'_>>, cube: &mut [Complex64]) {
+        match paths[..] {
+            [] => return,
+            [lone] => return self.add_exactly(lone.path, cube),
+            _ => {}
         }
-        match self.delays(paths).filter(|_| self.move_alike(paths)) {
-            Some(delays) => {
-                delays.0.iter().enumerate().for_each(|(k, _)| self.add_weighted(paths, &delays, k, cube))
+        match (self.delays(&paths), self.unlike_delays(&paths)) {
+            (Some(delays), None) => {
+                let all = delays.0.iter().enumerate();
+                return all.for_each(|(k, _)| self.add_weighted(&paths, &delays, k, cube));
             }
-            None => {
-                let (near, far) = paths.split_at(paths.len() / 2);
-                self.add(near, cube);
-                self.add(far, cube);
+            (Some(_), Some(transmission)) => {
+                let later_s = |path: &DelayedPath<'_>| path.later_s(&transmission);
+                paths.sort_by(|a, b| later_s(a).total_cmp(&later_s(b)));
             }
+            (None, _) => paths.sort_by(|a, b| a.delay_s.total_cmp(&b.delay_s)),
         }
+        let far = paths.split_off(paths.len() / 2);
+        self.add(paths, cube);
+        self.add(far, cube);
     }
 
     fn delays(&self, paths: &[DelayedPath<'_>]) -> Option<Delays> {
@@ -129,9 +139,9 @@ impl PhaseNoiseSum<'_> {
         now.iter().zip(then).map(|(now, then)| Complex64::cis(now - then)).collect()
     }
 
-    /// Whether no path's delay varies relative to the middle one's, over elements and time, by more than the
-    /// oscillator tolerates.
-    fn move_alike(&self, paths: &[DelayedPath<'_>]) -> bool {
+    /// Elements and chirp at which the paths' delays differ most from the middle one's, beyond what they
+    /// differ by for the first pair at the frame's middle; `None` if the oscillator tolerates that.
+    fn unlike_delays(&self, paths: &[DelayedPath<'_>]) -> Option<Transmission> {
         let allowed_s = 0.25 * self.accuracy.amplitude() / self.oscillator.rate_rms_rad_per_s();
         let middle = paths[paths.len() / 2];
         let [channels, chirps] = [self.radar.cube_channels(), self.radar.waveform.chirps as usize];
@@ -140,13 +150,13 @@ impl PhaseNoiseSum<'_> {
             .flat_map(|c| [0, chirps - 1].map(|m| row(self.radar, *c, m)))
             .flatten()
             .collect();
-        paths.par_iter().all(|delayed| {
-            corners.iter().all(|transmission| {
-                let moved_s =
-                    |of: &DelayedPath<'_>| delay_s(of.path, transmission, transmission.start_s) - of.delay_s;
-                (moved_s(delayed) - moved_s(&middle)).abs() <= allowed_s
-            })
-        })
+        let apart_s = |transmission: &Transmission| {
+            let of_middle_s = middle.later_s(transmission);
+            paths.iter().map(|path| (path.later_s(transmission) - of_middle_s).abs()).fold(0.0, f64::max)
+        };
+        let apart: Vec<f64> = corners.par_iter().map(apart_s).collect();
+        let (worst_s, transmission) = apart.into_iter().zip(corners).max_by(|a, b| a.0.total_cmp(&b.0))?;
+        (worst_s > allowed_s).then_some(transmission)
     }
 
     fn add_exactly(&self, path: &Path, cube: &mut [Complex64]) {
@@ -202,7 +212,8 @@ impl Delays {
     /// Finds the smallest number of delays that leaves `error`, root mean square over the frame, at the worst
     /// delay between them; `None` if too many would be needed.
     fn of(probes: &ProbeTimes<'_>, paths: &[DelayedPath<'_>], error: f64) -> Option<Self> {
-        let (first, last) = (paths.first()?.delay_s, paths.last()?.delay_s);
+        let all_s = paths.iter().map(|path| path.delay_s);
+        let (first, last) = (all_s.clone().fold(f64::INFINITY, f64::min), all_s.fold(0.0, f64::max));
         let chebyshev = |count: usize| {
             let place = |k: usize| 0.5 * (1.0 - (PI * (k as f64 + 0.5) / count as f64).cos());
             Self((0..count).map(|k| first + place(k) * (last - first)).collect())

@@ -7,7 +7,7 @@ use artifact::Reader;
 use artifact::rcs::{Rcs, RcsTable};
 use num_complex::Complex64;
 use pipeline::host::failure::Failure;
-use pipeline::host::progress;
+use pipeline::host::{files, progress};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 
@@ -26,6 +26,12 @@ pub fn npy(reader: Reader<Rcs>, out: &Path) -> Result<(), Failure> {
     };
     let places: Vec<_> = tables.iter().map(named).collect();
     places.iter().try_for_each(|(place, _)| sidecar::claim(place))?;
+    if !single {
+        let rule = "was not named itself, and has no description of this program's beside it";
+        let keep_foreign =
+            |place: &Path| files::refuse_unless(place, rule, || sidecar::beside(place).exists());
+        places.iter().try_for_each(|(place, _)| keep_foreign(place))?;
+    }
     for ((frame, table), (place, target)) in tables.iter().zip(&places) {
         write(place, *frame, target, table)?;
     }

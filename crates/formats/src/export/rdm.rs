@@ -109,6 +109,9 @@ fn each_frame(
 ) -> Result<(), Failure> {
     files::claim(&[out.to_owned()])?; // pictures of several frames add numbers to it
     let (header, single) = (reader.header().clone(), reader.frames() == 1);
+    if !single {
+        (0..reader.frames()).try_for_each(|index| keep_foreign(&numbered(out, index as u32)))?;
+    }
     for frame in progress::frames(reader) {
         let frame = frame?;
         let place = if single { out.to_owned() } else { numbered(out, frame.index) };
@@ -118,6 +121,17 @@ fn each_frame(
 }
 
 fn numbered(out: &Path, frame: u32) -> PathBuf {
-    let (stem, kind) = (out.file_stem().unwrap_or_default(), out.extension().unwrap_or_default());
-    out.with_file_name(format!("{}-{frame:04}.{}", stem.to_string_lossy(), kind.to_string_lossy()))
+    let stem = out.file_stem().unwrap_or_default().to_string_lossy();
+    let kind = out.extension().map(|kind| format!(".{}", kind.to_string_lossy())).unwrap_or_default();
+    out.with_file_name(format!("{stem}-{frame:04}{kind}"))
+}
+
+/// Refuses to replace a file with a number that is no picture of this program's.
+fn keep_foreign(place: &Path) -> Result<(), Failure> {
+    let rule = "was not named itself, and is no picture that this program wrote";
+    files::refuse_unless(place, rule, || {
+        let mut head = Vec::new();
+        let read = std::fs::File::open(place).and_then(|file| file.take(1024).read_to_end(&mut head));
+        read.is_ok() && pictures::is_own(&head)
+    })
 }

@@ -6,7 +6,10 @@ use crate::radar_cloud::{Detection, LIMIT_BYTES, pcd, velodyne};
 use artifact::cube::CubeHeader;
 use artifact::points::{Height, Point, Points, PointsFrame, PointsHeader};
 use artifact::scene::SceneHeader;
+use artifact::settings::StaticEchoes;
+use artifact::units::power_from_db;
 use artifact::{Writer, bounded};
+use dsp::FoldCertainty;
 use pipeline::chain::keys::cube_header;
 use pipeline::chain::loading::{self, provenance};
 use pipeline::chain::stages::Stage;
@@ -56,9 +59,27 @@ struct Sensor<'a> {
 impl Sensor<'_> {
     fn frame(&self, index: u32, time_s: f64, seen: &[Detection]) -> PointsFrame {
         let point = |seen: &Detection| seen.point(&self.cube, self.axes, self.height);
-        let mut points: Vec<Point> = seen.iter().map(point).collect();
+        let mut points: Vec<Point> = seen.iter().map(point).filter(|p| self.is_wanted(p)).collect();
+        if self.cube.dsp.static_echoes == StaticEchoes::Mark {
+            points.iter_mut().for_each(|point| point.stationary = Some(self.is_at_rest(point)));
+        }
         let objects = dsp::objects_of_points(&self.cube, &mut points);
         PointsFrame { index, time_s, points, objects }
+    }
+
+    /// Whether `nearest_m` and `static` of `[dsp]` leave a point.
+    fn is_wanted(&self, point: &Point) -> bool {
+        let dsp = &self.cube.dsp;
+        let is_removed = dsp.static_echoes == StaticEchoes::Remove && self.is_at_rest(point);
+        point.range_m >= dsp.nearest_m && !is_removed
+    }
+
+    /// Whether a point is at rest as far as this radar's map would tell: the cloud does not say how its folds
+    /// were resolved.
+    fn is_at_rest(&self, point: &Point) -> bool {
+        let radar = &self.cube.radar;
+        let over_noise = power_from_db(point.snr_db) * radar.virtual_channels() as f64;
+        dsp::is_at_rest(radar, point.radial_velocity_mps, FoldCertainty::Assumed, over_noise)
     }
 }
 

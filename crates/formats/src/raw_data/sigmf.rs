@@ -22,6 +22,10 @@ pub fn write(file: &Path, out: &Path) -> Result<(), Failure> {
     let (data, meta_place) = (part_of(out, DATA), part_of(out, META));
     files::claim(&[data.clone(), meta_place.clone()])?;
     files::refuse_foreign(&meta_place, META_LIMIT_BYTES, is_own)?;
+    if out != data {
+        let rule = "has no description of this program's beside it, and was not named itself";
+        files::refuse_unless(&data, rule, || meta_place.exists())?;
+    }
     let mut times = Vec::new();
     files::write_with(&data, |stream| {
         progress::frames(reader).try_for_each(|frame| {

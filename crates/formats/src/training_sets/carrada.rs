@@ -18,8 +18,10 @@ use artifact::rdm::{Rdm, RdmFrame};
 use artifact::settings::Class;
 use artifact::{Radar, Reader, units};
 use pipeline::host::failure::Failure;
-use serde_json::{Map, Value, json};
+use pipeline::host::files;
+use serde_json::{Value, json};
 use std::collections::BTreeMap;
+use std::io::{Error, Write};
 use std::path::Path;
 
 /// Name of the sequence if no scene names one.
@@ -33,27 +35,43 @@ pub fn write(reader: Reader<Rdm>, scene: Option<&Path>, out: &Path) -> Result<()
     let name = truth.as_ref().map_or(SEQUENCE.to_owned(), |truth| safe_file_name(&truth.header().name));
     AngleSpectrum::of(&header.in_frame(0))?; // refuses radars without tensors before the work
     let mut set = SetFolder::begin(out)?;
-    let mut annotations = Map::new();
+    let mut times_s = Vec::new();
     let frames = set.each_frame(
         reader,
         |map| map.index,
         |set, map| {
             let header = header.in_frame(map.index);
             let tensor = AngleSpectrum::of(&header)?.tensor(&map);
-            write_maps(set, &name, (&header, &map), &tensor)?;
-            if let Some(truth) = &mut truth {
-                let of_frame = of_frame(&header.radar, &truth.of_frame(map.index, map.time_s)?);
-                annotations.insert(format!("{:06}", map.index), of_frame);
-            }
-            Ok(())
+            times_s.push((map.index, map.time_s));
+            write_maps(set, &name, (&header, &map), &tensor)
         },
     )?;
-    if truth.is_some() {
-        set.write_json("annotations_frame_oriented.json", &json!({ name: annotations }))?;
+    if let Some(truth) = &mut truth {
+        let annotations = times_s.iter().map(|(index, time_s)| {
+            let bodies = truth.of_frame(*index, *time_s)?;
+            Ok((format!("{index:06}"), of_frame(&header.in_frame(*index).radar, &bodies)))
+        });
+        write_annotations(&set.place("annotations_frame_oriented.json"), &name, annotations)?;
     }
     let mut told = description(&header, frames);
     told["labelled"] = truth.is_some().into();
     set.finish(&told)
+}
+
+/// Writes the annotations frame by frame: all cells of all boxes are megabytes a frame.
+fn write_annotations(
+    place: &Path,
+    name: &str,
+    frames: impl Iterator<Item = Result<(String, Value), Failure>>,
+) -> Result<(), Failure> {
+    files::write_with(place, |stream| {
+        write!(stream, "{{{}:{{", json!(name))?;
+        for (number, frame) in frames.enumerate() {
+            let (frame, of_frame) = frame.map_err(Error::other)?;
+            write!(stream, "{}{}:{of_frame}", if number > 0 { ",\n" } else { "\n" }, json!(frame))?;
+        }
+        write!(stream, "\n}}}}\n")
+    })
 }
 
 fn write_maps(

@@ -5,12 +5,16 @@ use artifact::envelope::fingerprint;
 use pipeline::chain::stages::{SOURCES_OF_EVALUATION, Stage};
 
 /// Sources that draw scenes and write samples and lines.
-const OWN_SOURCES: [&str; 10] = [
+const OWN_SOURCES: [&str; 14] = [
     include_str!("draws.rs"),
     include_str!("lines.rs"),
     include_str!("placement.rs"),
     include_str!("recipe.rs"),
+    include_str!("recipe/document.rs"),
+    include_str!("recipe/keys.rs"),
+    include_str!("recipe/manifest.rs"),
     include_str!("recipe/models.rs"),
+    include_str!("recipe/rules.rs"),
     include_str!("observed_frame.rs"),
     include_str!("scene_line.rs"),
     include_str!("shard.rs"),

@@ -1,7 +1,7 @@
 //! The paper's network by the paper's protocol, and by two that keep all copies of a map in one split.
 
 use crate::protocols::settings::ProtocolSettings;
-use crate::training::{PAPER_ITERATIONS, network};
+use crate::training::{PAPER_ITERATIONS, network, one_dataset_of_paper};
 use artifact::settings::Class;
 use pipeline::host::dataset_folders::DatasetFolder;
 use pipeline::host::failure::Failure;
@@ -34,6 +34,7 @@ pub(super) fn page(settings: &ProtocolSettings, datasets: &[DatasetFolder]) -> R
             "--test and --curves are for --learner trees, profile and both; the paper's protocols have neither",
         ));
     }
+    one_dataset_of_paper(datasets)?;
     let iterations = settings.iterations.unwrap_or(PAPER_ITERATIONS);
     let shards: Vec<PathBuf> = datasets.iter().flat_map(|dataset| dataset.shards.clone()).collect();
     let program = network::build_program()?;
@@ -73,10 +74,13 @@ fn row(name: &str, parted: &str, told: &[Value]) -> [String; 8] {
     [name.to_owned(), parted.to_owned(), of("validation", None), of("test", None), a, b, c, d]
 }
 
-/// Text of mean, minimum and maximum, in percent.
+/// Text of mean, minimum and maximum, in percent; a dash for a class without images.
 fn spread(shares: &[f64]) -> String {
+    if shares.is_empty() {
+        return "–".into();
+    }
     let percent = |share: f64| 100.0 * share;
-    let mean = percent(shares.iter().sum::<f64>() / shares.len().max(1) as f64);
+    let mean = percent(shares.iter().sum::<f64>() / shares.len() as f64);
     let [low, high] =
         [shares.iter().copied().fold(1.0, f64::min), shares.iter().copied().fold(0.0, f64::max)];
     format!("{mean:.1} % ({:.0} … {:.0})", percent(low), percent(high))

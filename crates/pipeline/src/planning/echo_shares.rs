@@ -3,6 +3,7 @@
 use crate::chain::expected_work::probed_frames;
 use crate::host::failure::Failure;
 use crate::host::memory::Allowance;
+use artifact::radar::{Multiplexing, Radar};
 use artifact::scene::SceneHeader;
 use artifact::settings::Noise;
 use artifact::units::{BOLTZMANN_J_PER_K, power_from_db};
@@ -87,11 +88,18 @@ fn noise(header: &SceneHeader, index: u32, amplitude_m: &[Complex64]) -> f64 {
             let mean_m2 =
                 amplitude_m.iter().map(|s| s.norm_sqr()).sum::<f64>() / amplitude_m.len().max(1) as f64;
             let echo_w = radar::link::link_amplitude(radar).powi(2) * mean_m2;
-            let gain = f64::from(waveform.samples) * f64::from(waveform.chirps) * channels;
+            let gain = f64::from(waveform.samples) * chirps_of_channel(radar) * channels;
             noise_w / (echo_w * gain).max(f64::MIN_POSITIVE)
         }
     };
     power_ratio.sqrt()
+}
+
+/// Chirps in which a transmitter sends to a channel, all of them added in phase: with codes (BPM) all slots
+/// of all blocks, each decoded.
+fn chirps_of_channel(radar: &Radar) -> f64 {
+    let slots = if radar.array.multiplexing == Multiplexing::Bpm { radar.slots() } else { 1 };
+    f64::from(radar.waveform.chirps) * slots as f64
 }
 
 impl EchoShares {

@@ -16,6 +16,11 @@ use std::path::Path;
 const ENCODING: Encoding =
     Encoding { compression: Compression::RLE, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing };
 
+/// First bytes of an OpenEXR file.
+pub(super) const MAGIC: [u8; 4] = [0x76, 0x2f, 0x31, 0x01];
+/// Name of the layer of a map.
+pub(super) const LAYER: &str = "range-doppler";
+
 /// Floating-point layer with channels `power` (W, summed over channels), `re`/`im` of channel 0 and `mask`;
 /// rows are Doppler cells, columns range cells.
 pub fn rdm_exr(header: &CubeHeader, frame: &RdmFrame, out: &Path) -> Result<(), Failure> {
@@ -30,7 +35,7 @@ pub fn rdm_exr(header: &CubeHeader, frame: &RdmFrame, out: &Path) -> Result<(), 
         AnyChannel::new("power", FlatSamples::F32(power)),
         AnyChannel::new("re", FlatSamples::F32(first.iter().map(|v| v.re).collect())),
     ]);
-    let attributes = LayerAttributes::named("range-doppler");
+    let attributes = LayerAttributes::named(LAYER);
     let layer = Layer::new((range, doppler), attributes, ENCODING, AnyChannels::sort(channels));
     let size = ::exr::math::Vec2(range, doppler);
     let image = Image::empty(ImageAttributes::with_size(size)).with_layer(layer);

@@ -48,17 +48,14 @@ fn aliased(frames: &[FrameSummary]) -> String {
 pub(super) fn scene(frames: &[FrameSummary]) -> Markup {
     let all = || frames.iter().flat_map(|frame| &frame.targets);
     let count = |of: &dyn Fn(&TargetSummary) -> bool| all().filter(|target| of(target)).count();
-    let is_seen = |t: &TargetSummary| t.truth.nearest_range_m.is_some();
+    let is_to_be_found = |t: &TargetSummary| t.found.is_some();
     let in_lane = |t: &TargetSummary| t.estimate.is_some() && t.truth.lane.is_some();
     let lane_is_right = |t: &TargetSummary| in_lane(t) && t.estimate.is_some_and(|e| e.lane == t.truth.lane);
     let share = |part: usize, of: usize| format!("{part} of {of}");
     let rows = [
         ("Bodies in view, frame by frame", all().count().to_string()),
-        ("With a lit surface", share(count(&is_seen), all().count())),
-        (
-            "Found, of those with a lit surface",
-            share(count(&|t| is_seen(t) && t.estimate.is_some()), count(&is_seen)),
-        ),
+        ("To be found: with an echo, in range, not removed", share(count(&is_to_be_found), all().count())),
+        ("Found, of these", share(count(&|t| t.found == Some(true)), count(&is_to_be_found))),
         ("In the right lane, of those found in a lane", share(count(&lane_is_right), count(&in_lane))),
     ];
     scrolled(

@@ -74,9 +74,16 @@ fn logical_lines(text: &str) -> impl Iterator<Item = (std::borrow::Cow<'_, str>,
     })
 }
 
+/// A line up to its comment, which begins at its start or after white space: names may contain `#`.
+fn without_comment(line: &str) -> &str {
+    let begins = |(at, _): &(usize, &str)| line[..*at].ends_with(|before: char| before.is_ascii_whitespace());
+    let comment = line.match_indices('#').find(|found| found.0 == 0 || begins(found));
+    comment.map_or(line, |(at, _)| &line[..at])
+}
+
 impl Document {
     fn read_line(&mut self, line: &str, material: &mut Rc<str>) -> Result<(), MeshFault> {
-        let content = line.split('#').next().unwrap_or_default();
+        let content = without_comment(line);
         let mut words = content.split_ascii_whitespace();
         match words.next() {
             None => {}

@@ -39,7 +39,8 @@ fn corners_at(left: &[usize], i: usize) -> [usize; 3] {
     [left[(i + count - 1) % count], left[i], left[(i + 1) % count]]
 }
 
-/// Whether the corner points outward and no other lies in its triangle.
+/// Whether the corner points outward and no reflex corner lies in its triangle. One at the place of a
+/// neighbour does not count: an outline that walks to a hole and back has each end of that way twice.
 fn is_ear(flat: &[DVec2], left: &[usize], i: usize, comparisons: &mut u64) -> bool {
     let corners = corners_at(left, i);
     let [a, b, c] = corners.map(|index| flat[index]);
@@ -50,7 +51,13 @@ fn is_ear(flat: &[DVec2], left: &[usize], i: usize, comparisons: &mut u64) -> bo
     if !points_outward {
         return false;
     }
-    let other = left.iter().position(|index| !corners.contains(index) && inside(flat[*index]));
+    let count = left.len();
+    let blocks = |j: usize| {
+        let x = flat[left[j]];
+        let is_reflex = || side(flat[left[(j + count - 1) % count]], x, flat[left[(j + 1) % count]]) <= 0.0;
+        !corners.contains(&left[j]) && x != a && x != c && inside(x) && is_reflex()
+    };
+    let other = (0..count).find(|&j| blocks(j));
     *comparisons += other.unwrap_or(left.len()) as u64;
     other.is_none()
 }
@@ -58,6 +65,44 @@ fn is_ear(flat: &[DVec2], left: &[usize], i: usize, comparisons: &mut u64) -> bo
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn area(points: &[DVec3]) -> f64 {
+        let of = |[a, b, c]: [usize; 3]| 0.5 * (points[b] - points[a]).cross(points[c] - points[a]).z;
+        let areas: Vec<f64> = triangulate(points, &mut 0).into_iter().map(of).collect();
+        assert!(areas.iter().all(|area| *area >= 0.0), "{areas:?}");
+        areas.iter().sum()
+    }
+
+    #[test]
+    fn a_hole_that_the_outline_walks_to_and_back_stays_open() {
+        let outline = [
+            (0.0, 0.0),
+            (4.0, 0.0),
+            (4.0, 4.0),
+            (0.0, 4.0),
+            (0.0, 0.0),
+            (1.0, 1.0),
+            (1.0, 3.0),
+            (3.0, 3.0),
+            (3.0, 1.0),
+            (1.0, 1.0),
+        ];
+        for first in 0..outline.len() {
+            let turned = outline.iter().cycle().skip(first).take(outline.len());
+            let points: Vec<DVec3> = turned.map(|&(x, y)| DVec3::new(x, y, 0.0)).collect();
+            assert_eq!(area(&points), 12.0, "from corner {first}");
+        }
+    }
+
+    #[test]
+    fn a_corner_named_twice_in_a_row_changes_nothing() {
+        let outline = [(1.0, 1.0), (1.0, 2.0), (0.0, 2.0), (0.0, 0.0), (2.0, 0.0), (2.0, 1.0)];
+        for twice in 0..outline.len() {
+            let mut points: Vec<DVec3> = outline.iter().map(|&(x, y)| DVec3::new(x, y, 0.0)).collect();
+            points.insert(twice, points[twice]);
+            assert_eq!(area(&points), 3.0, "corner {twice}");
+        }
+    }
 
     #[test]
     fn a_dented_polygon_keeps_its_area_and_winding_in_every_plane() {

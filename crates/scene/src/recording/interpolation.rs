@@ -182,10 +182,14 @@ impl Interval {
     pub fn bumper(&self, vehicle: &FcdVehicle, time_s: f64) -> Option<Bumper> {
         let earlier = self.before.as_ref().zip(self.known.get(&vehicle.id));
         let Some((before, index)) = earlier else {
-            let is_now = (time_s - self.after.time_s).abs() <= SAME_MOMENT_S;
-            return is_now.then(|| Bumper::as_recorded(vehicle));
+            return self.is_now(time_s).then(|| Bumper::as_recorded(vehicle));
         };
         self.between(before.time_s, &before.vehicles[*index], vehicle, time_s)
+    }
+
+    /// Whether a time is that of the later step, by rounding.
+    fn is_now(&self, time_s: f64) -> bool {
+        (time_s - self.after.time_s).abs() <= SAME_MOMENT_S
     }
 
     fn between(&self, start_s: f64, a: &FcdVehicle, b: &FcdVehicle, time_s: f64) -> Option<Bumper> {
@@ -193,7 +197,7 @@ impl Interval {
         let u = ((time_s - start_s) / step_s).clamp(0.0, 1.0);
         let (from_m, to_m) = (DVec3::from(a.front_m), DVec3::from(b.front_m));
         if StepKind::between(a, b, step_s) == StepKind::Teleport {
-            return (u == 1.0).then(|| Bumper::as_recorded(b));
+            return self.is_now(time_s).then(|| Bumper::as_recorded(b));
         }
         let jump_m = own_jump(self.lane_changes.get(&b.id), start_s);
         let velocity_mps = velocity(b, to_m - from_m - jump_m.extend(0.0), step_s);

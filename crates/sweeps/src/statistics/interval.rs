@@ -47,7 +47,10 @@ impl Mean {
     /// Mean of normal values and Student's interval at a confidence; `None` without values.
     pub(crate) fn of(values: &[f64], confidence: f64) -> Option<Self> {
         let count = values.len();
-        let value = (count > 0).then(|| values.iter().sum::<f64>() / count as f64)?;
+        let first = *values.first()?;
+        // The mean of equal values is that value for any number of them: rounding would depend on it.
+        let are_equal = values.iter().all(|value| *value == first);
+        let value = if are_equal { first } else { values.iter().sum::<f64>() / count as f64 };
         let squares: f64 = values.iter().map(|v| (v - value).powi(2)).sum();
         let standard_error = (count > 1).then(|| (squares / (count - 1) as f64 / count as f64).sqrt());
         let half_width = standard_error.map(|error| two_sided(confidence, count - 1) * error);

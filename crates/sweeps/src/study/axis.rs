@@ -67,8 +67,10 @@ impl Axis {
 /// Rounds a number to at least a ten-thousandth of its span, so that it can be read and typed; beyond an end,
 /// returns the end itself in full.
 fn rounded(value: f64, [low, high]: [f64; 2]) -> String {
-    let digits = (4.0 - (high - low).log10().floor()).clamp(0.0, 12.0) as usize;
-    let short = format!("{value:.digits$}");
+    const MOST_DIGITS: f64 = 12.0;
+    let digits = (4.0 - (high - low).log10().floor()).max(0.0);
+    let short =
+        if digits > MOST_DIGITS { format!("{value:e}") } else { format!("{value:.*}", digits as usize) };
     match short.parse::<f64>() {
         Ok(told) if told < low => format!("{low:?}"),
         Ok(told) if told > high => format!("{high:?}"),

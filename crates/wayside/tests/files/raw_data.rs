@@ -90,6 +90,13 @@ fn recordings_whose_names_have_a_dot_are_two_and_anothers_recording_stays() {
     assert_eq!(output.status.code(), Some(2), "{told}");
     assert!(told.contains("y.sigmf-meta") && told.contains("not written by this program"), "{told}");
     assert!(place.bytes("y.sigmf-meta") == foreign.as_bytes() && !place.path("y.sigmf-data").exists());
+    std::fs::write(place.path("z.sigmf-data"), "another's samples").unwrap();
+    let output = place.try_run("export a.cube --to sigmf --out z");
+    let told = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{told}");
+    assert!(told.contains("z.sigmf-data: has no description of this program's"), "{told}");
+    assert_eq!(place.bytes("z.sigmf-data"), b"another's samples");
+    place.run("export a.cube --to sigmf --out z.sigmf-data --quiet"); // named itself
 }
 
 #[test]

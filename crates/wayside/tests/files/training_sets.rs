@@ -76,6 +76,29 @@ fn clouds_through_both_sets_are_the_same_points_and_are_scored() {
     }
 }
 
+/// The corner drives by at −3 m/s, the point is at rest.
+#[test]
+fn static_and_nearest_m_of_a_scene_apply_to_clouds_too() {
+    let place = run();
+    place.run("export run/frames.points --to kitti --scene run/scene.scene --out kitti --quiet");
+    let imported = |settings: &str| {
+        let scene = crate::common::SMALL_SCENE.replace("[dsp]", &format!("[dsp]\n{settings}"));
+        std::fs::write(place.path("other.toml"), scene).unwrap();
+        place.run("import kitti/training/velodyne --scene other.toml --out b.points --quiet");
+        place.run("export b.points --to csv --out b.csv --quiet");
+        let text = String::from_utf8(place.bytes("b.csv")).unwrap();
+        let index = text.lines().next().unwrap().split(',').position(|name| name == "stationary").unwrap();
+        text.lines().skip(1).map(|row| row.split(',').nth(index).unwrap().to_owned()).collect::<Vec<_>>()
+    };
+    let all = imported("static = \"keep\"");
+    let marked = imported("static = \"mark\"");
+    let at_rest = marked.iter().filter(|mark| *mark == "yes").count();
+    assert!(all.iter().all(String::is_empty) && marked.len() == all.len(), "{all:?}, {marked:?}");
+    assert!(at_rest > 0 && at_rest < marked.len(), "{marked:?}");
+    assert_eq!(imported("static = \"remove\"").len(), all.len() - at_rest);
+    assert!(imported("nearest_m = 35.0").len() < all.len());
+}
+
 #[test]
 fn bodies_of_no_class_have_no_labels_and_that_is_told() {
     let place = Workplace::new();

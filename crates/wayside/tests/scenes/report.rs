@@ -241,6 +241,25 @@ fn a_map_is_exported_with_axes_on_request_and_other_artifacts_are_not() {
 }
 
 #[test]
+fn pictures_with_numbers_replace_no_others_than_this_programs() {
+    let (place, _page) = report_of(SMALL_SCENE);
+    for kind in ["png", "exr"] {
+        let own = format!("export out/frames.rdm --to {kind} --out own.{kind}");
+        place.run(&own);
+        place.run(&own); // its own, once more
+        let foreign = format!("map-0000.{kind}");
+        std::fs::write(place.path(&foreign), "a photograph").unwrap();
+        let refused = place.try_run(&format!("export out/frames.rdm --to {kind} --out map.{kind}"));
+        let told = String::from_utf8_lossy(&refused.stderr);
+        assert_eq!(refused.status.code(), Some(2), "{told}");
+        assert!(told.contains(&foreign) && told.contains("no picture that this program wrote"), "{told}");
+        assert_eq!(place.bytes(&foreign), b"a photograph");
+    }
+    place.run("export out/frames.rdm --to png --out bare");
+    assert!(place.path("bare-0000").is_file(), "no dot without an ending");
+}
+
+#[test]
 fn receding_is_above_in_the_exported_map() {
     // The point, 30.5 m away, recedes at 20 of the unambiguous 43 m/s.
     let one = SMALL_SCENE.replace("velocity_mps = [0.0, 0.0, 0.0]", "velocity_mps = [0.0, 20.0, 0.0]");

@@ -141,6 +141,7 @@ impl<'a> Blending<'a> {
             }
             let bytes = self.best.bytes.max(nodes.bytes);
             (self.best.paths, self.best.error, self.best.bytes) = (paths, error, bytes);
+            self.best.omitted_powers = omitted_powers;
         }
         (error.measured(), is_best)
     }

@@ -16,7 +16,7 @@ use crate::sums::fast::smooth_part::{SmoothPart, SmoothPartRequest, cycles_of};
 use crate::sums::fast::tone_grid::{SETS, ToneGrid};
 use crate::sums::spans::{FrameSpan, by_span};
 use artifact::paths::Path;
-use artifact::radar::Multiplexing;
+use artifact::radar::{Multiplexing, Pattern};
 use artifact::{Accuracy, Radar};
 use num_complex::{Complex, Complex32, Complex64};
 use rayon::prelude::*;
@@ -100,7 +100,8 @@ fn part_of_cube<T: Scalar>(receiving: &ReceivingRadar<'_>, paths: &[Path], error
     let radar = receiving.radar;
     let links = links(radar);
     let heard = paths.iter().filter(|path| is_received(radar, path));
-    let (on_rims, heard): (Vec<&Path>, Vec<&Path>) = heard.partition(|path| path.curve.rim.is_some());
+    let (on_rims, others): (Vec<&Path>, Vec<&Path>) = heard.partition(|path| path.curve.rim.is_some());
+    let heard = within_pattern(receiving, others, &links);
     let asked =
         SmoothPartRequest { error: 0.6 * error, instants_max: INSTANTS_MAX, paths_min: paths_min(error) };
     let length = receiving.steps.chirps * radar.waveform.samples as usize;
@@ -113,8 +114,6 @@ fn part_of_cube<T: Scalar>(receiving: &ReceivingRadar<'_>, paths: &[Path], error
         }
         for group in groups(&part.receiving, &paths, &links, asked) {
             match &group.smooth {
-                // A group outside the antenna pattern has no echo.
-                Some(smooth) if smooth.instants.is_empty() => {}
                 Some(smooth) => part.add_group(&group, smooth, &links, error, &mut of_links),
                 None => alone.extend(group.paths.iter().copied()),
             }
@@ -125,6 +124,28 @@ fn part_of_cube<T: Scalar>(receiving: &ReceivingRadar<'_>, paths: &[Path], error
         add_one_by_one(&DirectSum::new(radar, receiving.centre_frequency_hz, &alone), receiving, &mut cube);
     }
     cube
+}
+
+/// Paths without those that no pair of elements hears at the start, in the middle and at the end of the
+/// frame: what lies outside the antenna pattern has no echo.
+fn within_pattern<'p>(receiving: &ReceivingRadar<'_>, paths: Vec<&'p Path>, links: &[Link]) -> Vec<&'p Path> {
+    if receiving.radar.array.pattern == Pattern::Isotropic {
+        return paths;
+    }
+    let middle = receiving.middle();
+    let end = Instant { chirp: 2.0 * middle.chirp, sample: 2.0 * middle.sample };
+    let probes = [middle, Instant { chirp: 0.0, sample: 0.0 }, end];
+    let few = [links.len() / 2, 0, links.len() - 1].map(|i| links[i]);
+    let hears = |links: &[Link], path: &Path| {
+        probes.iter().any(|at| {
+            let mut is_heard = false;
+            receiving.for_each_value(path, links, *at, &mut |_, value| {
+                is_heard |= value.amplitude != Complex64::ZERO;
+            });
+            is_heard
+        })
+    };
+    paths.into_par_iter().filter(|path| hears(&few[..1], path) || hears(links, path)).collect()
 }
 
 fn add_one_by_one<T: Scalar>(

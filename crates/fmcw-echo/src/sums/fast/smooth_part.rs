@@ -35,7 +35,8 @@ pub(crate) struct SmoothPartRequest {
 
 impl SmoothPart {
     /// Smooth part of a set of paths; `None` if more instants than allowed, or a finer grid than
-    /// [`GRID_MAX`], would be needed.
+    /// [`GRID_MAX`], would be needed, or if the mean path, to which all are compared, is somewhere outside
+    /// the antenna pattern.
     pub(crate) fn of(
         receiving: &ReceivingRadar<'_>,
         paths: &[&Path],
@@ -49,6 +50,10 @@ impl SmoothPart {
         let few: Vec<Link> = [0, links.len() / 2, links.len() - 1].map(|i| links[i]).to_vec();
         let of_middle = slow_values(receiving, &middle, links, &grid);
         let of_few = slow_values(receiving, &middle, &few, &grid);
+        let is_heard = |value: &Complex64| value.norm() > 0.0;
+        if !of_middle.iter().chain(&of_few).flatten().all(is_heard) {
+            return None;
+        }
         let (train, test): (Vec<_>, Vec<_>) = some.into_iter().enumerate().partition(|(i, _)| i % 2 == 0);
         let relative = |(_, path): &(usize, &Path)| {
             let values = slow_values(receiving, path, &few, &grid);
@@ -62,7 +67,9 @@ impl SmoothPart {
         let interpolation = EmpiricalInterpolation::of(&known, 0.7 * asked.error, asked.instants_max);
         let unseen: Vec<Vec<Complex64>> =
             test.iter().flat_map(relative).map(|function| interpolation.residual(&function)).collect();
-        if interpolation.residual_rms.max(root_mean_square(&unseen)) > asked.error {
+        let missed = [interpolation.residual_rms, root_mean_square(&unseen)];
+        // Without instants none of the sampled paths is heard, which says nothing of the others.
+        if !missed.iter().all(|missed| *missed <= asked.error) || interpolation.points.is_empty() {
             return None;
         }
         let shape = |i: usize, of_link: &Vec<Complex64>| {

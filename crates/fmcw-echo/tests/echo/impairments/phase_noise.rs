@@ -114,6 +114,26 @@ fn the_fast_sum_gets_the_accuracy_asked_for_against_every_path_with_its_own_dela
     }
 }
 
+/// Bodies at one distance on both sides of a wide array, whose delays differ from element to element: halved
+/// by range alone they would be summed path by path.
+#[test]
+fn bodies_on_both_sides_of_a_wide_array_have_the_error_asked_for() {
+    let wide = Layout { name: "wide", tx: vec![[0.0, 0.0]], rx: vec![[0.0, 0.0], [190.0, 0.0]] };
+    let mut radar =
+        radar(Waveform { chirps: 2, samples: 64, ..experiment(1) }, &wide, Multiplexing::Simultaneous);
+    radar.hardware.phase_noise = silicon();
+    let oscillator = Oscillator::of(&radar, 5, 0, 1e-6).unwrap();
+    let mut paths = body(93, 200, [14.0, 24.0, 0.7], [0.0, -10.0, 0.0]);
+    paths.extend(body(94, 200, [-14.0, 24.0, 0.7], [0.0, -10.0, 0.0]));
+    let (slow, f_c) = (exact(&radar, &paths, &oscillator), radar.waveform.centre_frequency_hz());
+    for asked_db in [-20.0, -60.0] {
+        let got = phase_noise::cube(&radar, f_c, &paths, Accuracy::from_db(asked_db), &oscillator);
+        let got = error_db(&got, &slow);
+        println!("asked {asked_db} dB, got {got:.1} dB");
+        assert!(got < asked_db, "asked {asked_db} dB, got {got} dB");
+    }
+}
+
 #[test]
 fn what_the_phase_is_told_from_neighbours_is_its_fourier_series() {
     let mut radar = noisy(Multiplexing::Simultaneous, 0, 1);

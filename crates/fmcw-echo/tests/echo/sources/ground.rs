@@ -151,6 +151,25 @@ fn a_pattern_weighs_the_ground_as_it_does_targets() {
     assert!((got - asked).abs() < 4.0 * error * asked);
 }
 
+/// A single element with a horn of ±3.4° at half of the two-way power.
+#[test]
+fn cells_of_a_narrow_pattern_are_rayleighs_too() {
+    let mut radar = one_chirp();
+    radar.array.pattern = Pattern::Cosine { exponent: 100.0 };
+    radar.boresight_el_rad = -0.2;
+    let band = 60..150;
+    let draws: Vec<Vec<f64>> = (0..SEEDS)
+        .map(|seed| bins(&radar, seed, band.clone()).iter().map(Complex64::norm_sqr).collect())
+        .collect();
+    let count = draws.len() as f64;
+    let of_bin = |bin: usize, power: i32| draws.iter().map(|draw| draw[bin].powi(power)).sum::<f64>() / count;
+    let bins = band.len();
+    let contrast = (0..bins).map(|bin| of_bin(bin, 2) / of_bin(bin, 1).powi(2)).sum::<f64>() / bins as f64;
+    // ⟨I²⟩/⟨I⟩² of an exponential distribution; from a few patches it was 3.3.
+    println!("⟨I²⟩/⟨I⟩² {contrast:.3}");
+    assert!((contrast - 2.0).abs() < 0.15, "{contrast}");
+}
+
 #[test]
 fn the_ground_is_the_same_on_any_number_of_threads_and_another_with_another_seed() {
     let radar = radar(experiment(1), &presets()[1], Multiplexing::Tdm);

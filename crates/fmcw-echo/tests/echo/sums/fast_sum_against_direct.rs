@@ -3,7 +3,7 @@
 use crate::setting::{body, experiment, presets, radar, random_paths};
 use artifact::Accuracy;
 use artifact::paths::Path;
-use artifact::radar::{Multiplexing, Radar};
+use artifact::radar::{Multiplexing, Pattern, PatternTable, Radar};
 use fmcw_echo::direct_sum::DirectSum;
 use fmcw_echo::fast_sum;
 use num_complex::Complex64;
@@ -77,4 +77,32 @@ fn x3_the_error_asked_for_is_the_error_got_over_seven_settings_and_six_decades()
 
 fn targeted(target: u32, paths: Vec<Path>) -> Vec<Path> {
     paths.into_iter().map(|path| Path { target, ..path }).collect()
+}
+
+/// Groups half of whose paths, and whose mean, lie outside the pattern: behind the array, or beside a narrow
+/// table.
+#[test]
+fn paths_within_the_pattern_are_heard_whatever_lies_outside_it() {
+    let mut behind = radar(shortened(1, 16), &presets()[2], Multiplexing::Tdm);
+    behind.array.pattern = Pattern::Cosine { exponent: 1.0 };
+    let mut beside = behind.clone();
+    beside.array.pattern = Pattern::Table(PatternTable {
+        azimuth_rad: vec![-0.2, 0.0, 0.2],
+        elevation_rad: vec![0.0],
+        amplitude: vec![0.5, 1.0, 0.5],
+    });
+    for (name, radar, middle_m, across_m) in
+        [("behind", behind, [5.0, -0.3, 0.7], 1.0), ("beside", beside, [0.0, 30.0, 0.7], 16.0)]
+    {
+        let mut paths = body(11, 400, middle_m, [0.0, -10.0, 0.0]);
+        for path in &mut paths {
+            path.apparent_tx_m[0] = middle_m[0] + across_m * (path.apparent_tx_m[0] - middle_m[0]);
+            path.apparent_rx_m[0] = middle_m[0] + across_m * (path.apparent_rx_m[0] - middle_m[0]);
+        }
+        // A mean outside the table: nothing ahead.
+        paths.retain(|path| name == "behind" || path.apparent_tx_m[0] > 2.0);
+        let got_db = error_db(&radar, &paths, -40.0);
+        println!("{name}: {} paths, {got_db:.1} dB of −40 asked", paths.len());
+        assert!(got_db < -40.0, "{name}: {got_db}");
+    }
 }

@@ -19,9 +19,10 @@ pub(super) struct FrameNames {
 impl FrameNames {
     /// Frames of points with these inputs, as their provenance names them.
     pub(super) fn of(inputs: &[(String, String)], frames: usize) -> Self {
+        // Files of frames come first; meshes of a scene may have buffers with these endings too.
+        let is_of_frame = |file: &&Path| extension(file).is_some_and(|ending| ENDINGS.contains(&ending));
         let files = inputs.iter().map(|(name, _)| Path::new(name));
-        let of_frames = files.filter(|file| extension(file).is_some_and(|ending| ENDINGS.contains(&ending)));
-        let names: Vec<String> = of_frames.map(name_of).collect();
+        let names: Vec<String> = files.take_while(is_of_frame).map(name_of).collect();
         Self { names: (names.len() == frames).then_some(names), frames }
     }
 

@@ -5,7 +5,9 @@ use crate::outcome::error_figures::db;
 use artifact::Radar;
 use artifact::points::Point;
 use artifact::scene::SceneHeader;
+use radar::doppler_ambiguity::folded;
 use serde::{Deserialize, Serialize};
+use std::f64::consts::TAU;
 
 /// Numerical error of a target's own echo, and the resulting standard errors of the estimate: to first order,
 /// as if the echoes of the object's points had equal and independent relative errors.
@@ -45,13 +47,14 @@ impl EchoError {
 fn standard_errors(radar: &Radar, points: &[&Point], amplitude: f64) -> [Option<f64>; 3] {
     let snr_per_cell = amplitude.powi(-2) / radar.virtual_channels() as f64;
     let bound = dsp::cramer_rao(radar, snr_per_cell);
-    let across_m = |point: &Point| bound.cosines[0] * point.range_m / point.azimuth_rad.cos().abs();
-    let middle_rad = mean(points, |point| point.azimuth_rad);
+    let off_boresight_rad = |point: &Point| folded(point.azimuth_rad - radar.boresight_az_rad, TAU);
+    let across_m = |point: &Point| bound.cosines[0] * point.range_m / off_boresight_rad(point).cos().abs();
+    let middle_rad = mean(points, off_boresight_rad);
     [
         of_mean(points, amplitude, |point| (point.range_m, bound.range_m)),
         of_mean(points, amplitude, |point| (point.radial_velocity_mps, bound.velocity_mps)),
         of_mean(points, amplitude, |point| {
-            (point.range_m * (point.azimuth_rad - middle_rad), across_m(point))
+            (point.range_m * (off_boresight_rad(point) - middle_rad), across_m(point))
         }),
     ]
 }
@@ -142,5 +145,22 @@ mod tests {
         assert!(alike(range_m, bound.range_m) && alike(velocity_mps, bound.velocity_mps));
         assert!(alike(across_m, 30.0 * bound.cosines[0]));
         assert_eq!(standard_errors(&radar, &[], 0.1), [None; 3]);
+    }
+
+    #[test]
+    fn errors_stay_the_same_when_radar_and_points_turn_together() {
+        let told = |turn_deg: f64| {
+            let turn_rad = turn_deg.to_radians();
+            let radar = Radar { boresight_az_rad: turn_rad, ..radar() };
+            let at = |range_m: f64, off_deg: f64| {
+                let azimuth_rad = folded(turn_rad + off_deg.to_radians(), TAU);
+                Point { azimuth_rad, ..point(range_m, 20.0) }
+            };
+            standard_errors(&radar, &[&at(30.0, -3.0), &at(31.0, 4.0)], 0.1).map(Option::unwrap)
+        };
+        for turn_deg in [90.0, 179.0, -90.0] {
+            let apart = std::iter::zip(told(turn_deg), told(0.0)).map(|(a, b)| (a / b - 1.0).abs());
+            assert!(apart.fold(0.0, f64::max) < 1e-9, "{turn_deg}°: {:?}, {:?}", told(turn_deg), told(0.0));
+        }
     }
 }

@@ -65,10 +65,7 @@ impl MapCells {
         let origins = origins.map_err(Failure::refused)?.unwrap_or_else(|| unknown_origins(levels.len()));
         let pool = MaxPooling::of(power.dim(), most);
         let strongest = pool.strongest(&levels);
-        let of = |values: &[u8]| {
-            let picked = strongest.iter().map(|cell| values.get(*cell).copied().unwrap_or(0));
-            Packed::bytes(&picked.collect::<Vec<_>>())
-        };
+        let bytes = |values: &[u8]| Packed::bytes(&picked(&strongest, values));
         let kind =
             |group: &EchoGroup| EchoKind { target: group.target, order: group.order, bodies: group.bodies };
         Ok(Self {
@@ -82,13 +79,18 @@ impl MapCells {
                 &strongest.iter().map(|cell| levels[*cell]).collect::<Vec<_>>(),
                 STEP_DB,
             ),
-            mask: of(&frame.rdm.mask),
-            strongest: of(&origins.strongest),
-            percent: of(&origins.percent),
+            mask: bytes(&frame.rdm.mask),
+            strongest: Packed::numbers(&picked(&strongest, &origins.strongest)),
+            percent: bytes(&origins.percent),
             kinds: origins.groups.iter().map(kind).collect(),
             pooled: pool.side,
         })
     }
+}
+
+/// Values of some cells; 0 for a cell without one.
+fn picked<T: Copy + Default>(cells: &[usize], values: &[T]) -> Vec<T> {
+    cells.iter().map(|cell| values.get(*cell).copied().unwrap_or_default()).collect()
 }
 
 /// Labels of a map whose echoes are unknown.
