@@ -211,6 +211,8 @@ mod tests {
         let options = scene::ReadOptions::names_only();
         let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/intersection.toml");
         let mut header = scene::read(&file, &options).unwrap();
+        // Drawn parts would make the seed count.
+        header.fidelity.small_parts = SmallParts::OfMesh;
         let glass = Layer { thickness_m: 4e-3, permittivity: Complex64::new(6.5, -0.15) };
         let pane =
             Material::Layers { layers: vec![glass], backing: Backing::Air, thickness: Thickness::Exact };

@@ -15,7 +15,7 @@ pub(crate) const SOURCES: SourcePaths = &[
     CHAIN,
     RUN,
     &["crates/learning/src/dataset", "crates/learning/src/dataset.rs"],
-    &["scenes/vehicles.dataset.toml", "scenes/intersection.toml", file!()],
+    &["scenes/vehicles.dataset.toml", "scenes/training/3x4.toml", file!()],
 ];
 
 const RECIPE: &str = "vehicles.dataset";
