@@ -135,8 +135,8 @@ impl RecordingShape {
 
 /// Source of the shape of a recording's frames.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum ShapeSource {
-    /// A description beside it, compared with the scene's radar.
+pub enum ShapeSource {
+    /// A description beside it, compared with the scene's radar, or the configuration of the device.
     Described,
     /// No description: the scene's radar is assumed to be the recording one.
     Assumed,

@@ -67,6 +67,7 @@ pub fn run(settings: &DatasetSettings) -> Result<(), Failure> {
         return Ok(());
     }
     files::claim(&summary::files_of(&settings.out))?;
+    summary::refuse_foreign(&settings.out)?;
     let conclude = || summary::conclude(&layout, &settings.out, settings.tell);
     let Task::Make { shard: [number, of] } = settings.task else {
         let lacking = summary::lacking(&recipe, &layout, usize::MAX)?;

@@ -12,7 +12,7 @@ use pipeline::chain::loaded_model::classifier_failure_about;
 use pipeline::host::dataset_folders::DatasetFolder;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 pub(crate) use lone_vehicles::note_lone_vehicles;
 pub use network::{PROGRAM, target_folder};
@@ -31,10 +31,23 @@ pub fn run(settings: &TrainingSettings) -> Result<(), Failure> {
     }
     let datasets: Vec<Vec<PathBuf>> = opened.into_iter().map(|dataset| dataset.shards).collect();
     files::claim(&classifier::MODEL_FILES.map(|name| settings.out.join(name)))?;
+    refuse_foreign(&settings.out)?;
     match settings.learner.on_signatures() {
         Some(training) => signatures::train(settings, &training, &datasets),
         None => network::train(settings, &datasets.concat()),
     }
+}
+
+/// Refuses to replace files of another origin in the model's folder.
+fn refuse_foreign(out: &Path) -> Result<(), Failure> {
+    // The first key of metrics, and a column of both kinds of curves.
+    let begins = |head: &[u8], with: &str, within: &str| {
+        let text = String::from_utf8_lossy(head).into_owned();
+        text.starts_with(with) && text.lines().take(2).any(|line| line.contains(within))
+    };
+    files::refuse_foreign_head(&out.join(classifier::METRICS_FILE), |head| begins(head, "{", "\"classes\""))?;
+    files::refuse_foreign_head(&out.join(classifier::CURVES_FILE), |head| begins(head, "", "loss"))?;
+    files::refuse_no_artifact(&out.join(classifier::WEIGHTS_FILE))
 }
 
 /// Refuses settings that do not apply to the learner.

@@ -139,14 +139,18 @@ pub fn of_map(
     points: &PointsFrame,
     folder: &Path,
 ) -> Result<(), Failure> {
-    let (header, number) = (&header.in_frame(rdm.index), rdm.index);
+    let header = &header.in_frame(rdm.index);
     let over = MapOverlay { points: Some(points), ..MapOverlay::default() };
-    write_png(&folder.join(format!("rdm-{number:04}.png")), &rdm::draw(header, rdm, &over, Layout::Wide)?)?;
-    write_png(
-        &folder.join(format!("points-{number:04}.png")),
-        &points::draw(header, points, &[], Layout::Wide),
-    )?;
-    rdm_exr(header, rdm, &folder.join(format!("rdm-{number:04}.exr")))
+    let [map, cloud, levels] = names_of_map(rdm.index).map(|name| folder.join(name));
+    write_png(&map, &rdm::draw(header, rdm, &over, Layout::Wide)?)?;
+    write_png(&cloud, &points::draw(header, points, &[], Layout::Wide))?;
+    rdm_exr(header, rdm, &levels)
+}
+
+/// Names of the pictures of [`of_map`]: map, points, levels of the map.
+pub fn names_of_map(number: u32) -> [String; 3] {
+    [("rdm", "png"), ("points", "png"), ("rdm", "exr")]
+        .map(|(kind, ending)| format!("{kind}-{number:04}.{ending}"))
 }
 
 /// Writes a map with axes and no marks.

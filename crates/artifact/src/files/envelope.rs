@@ -21,7 +21,8 @@ pub use writer::Writer;
 
 use serde::{Deserialize, Serialize, de::DeserializeOwned};
 
-pub(crate) const MAGIC: &[u8; 8] = b"WAYSIDE\n";
+/// First bytes of an artifact.
+pub const MAGIC: &[u8; 8] = b"WAYSIDE\n";
 pub(crate) const CHECKSUM_BYTES: usize = 16;
 pub(crate) const END_BYTES: u64 = 1 + 8 + CHECKSUM_BYTES as u64;
 /// Maximum length of a preamble: provenance is a handful of hashes, more is damage.

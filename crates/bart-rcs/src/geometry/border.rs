@@ -39,7 +39,7 @@ impl From<Border> for BorderLine {
 }
 
 impl BorderLine {
-    /// Border along a cutting plane; one that came via a mirror keeps its name.
+    /// Border along a cutting plane; one that came via a mirror keeps the name that it has from there.
     pub(crate) fn cut_by(self, plane: &Plane) -> Self {
         if self.line == 0 { Self { line: name(plane), ..self } } else { self }
     }
@@ -49,14 +49,16 @@ impl BorderLine {
         self.line
     }
 
-    /// Border of the same edge where it bounds the beam behind the mirror.
-    pub(crate) fn through_mirror(self) -> Self {
+    /// Border of the same edge where it bounds the beam behind the mirror, under a name of its own: one plane
+    /// through the antenna may cut the mirror and the facet that it lights, and these are two lines.
+    pub(crate) fn through_mirror(self, mirror: &Plane) -> Self {
         let border = match self.border {
             Border::Own | Border::Tied => Border::Mirror,
             Border::Shadow => Border::MirrorShadow,
             Border::Inner | Border::Mirror | Border::MirrorShadow => self.border,
         };
-        Self { border, ..self }
+        let renamed = || (self.line ^ name(mirror)).wrapping_mul(ODD as u32).rotate_left(13).max(1);
+        Self { border, line: if self.line == 0 { 0 } else { renamed() } }
     }
 
     /// Border of the same edge where the window of a beam ends along it. A line that cuts out a shadow on the
@@ -110,7 +112,11 @@ mod tests {
         let line = |plane: Plane| BorderLine::from(Border::Shadow).cut_by(&plane).line();
         assert_eq!(line(plane), line(-plane));
         assert!(line(plane) != line(other) && line(plane) != 0);
-        let mirrored = BorderLine::from(Border::Shadow).cut_by(&plane).through_mirror().cut_by(&other);
-        assert_eq!(mirrored.line(), line(plane));
+        let mirrored = |cut: Plane, mirror: Plane| {
+            BorderLine::from(Border::Shadow).cut_by(&cut).through_mirror(&mirror).cut_by(&other).line()
+        };
+        let mirror = Plane { normal: DVec3::X, offset_m: 2.0 };
+        assert_eq!(mirrored(plane, mirror), mirrored(-plane, -mirror), "both sides of a seam");
+        assert_ne!(mirrored(plane, mirror), line(plane), "behind the mirror it is another line");
     }
 }

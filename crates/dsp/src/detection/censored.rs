@@ -22,6 +22,8 @@ const MOST_PASSES: usize = 8;
 /// Training cells of a radar's detector.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Censoring {
+    /// Whether the detector compares with the greater of two halves.
+    is_greatest_of: bool,
     /// Whether cells are retested at all.
     has_hidden: bool,
     /// Guard cells, [doppler, range].
@@ -46,6 +48,7 @@ impl Censoring {
         let guard = settings.guard_cells.map(i64::from);
         let training = settings.training_cells.map(i64::from);
         Self {
+            is_greatest_of: settings.detector == Detector::GoCfar,
             has_hidden: averages && header.radar.array.multiplexing != Multiplexing::Ddm,
             guard,
             whole: [guard[0] + training[0], guard[1] + training[1]],
@@ -123,7 +126,11 @@ impl TrainingWindow<'_> {
                 }
             }
         }
-        (count as f64) > LEAST_SHARE * f64::from(all)
+        // The mean of the whole window is no threshold of the greatest-of detector: where no echo raises its
+        // own, its answer stands.
+        let is_retested = !self.censoring.is_greatest_of || count < all as usize;
+        is_retested
+            && (count as f64) > LEAST_SHARE * f64::from(all)
             && self.power[(row, column)] > self.factor(count) * sum / count as f64
     }
 

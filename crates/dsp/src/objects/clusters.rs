@@ -149,7 +149,11 @@ impl Echoes<'_> {
         else {
             return vec![group];
         };
-        let between = |i: &&usize| (front.range_m..strongest.range_m).contains(&self.members[**i].range_m);
+        // Strictly: the front itself, and what lies at its range, stays before the cut.
+        let between = |i: &&usize| {
+            let range_m = self.members[**i].range_m;
+            front.range_m < range_m && range_m < strongest.range_m
+        };
         let Some(valley) = group.iter().rfind(between).filter(|i| self.members[**i].power < front.power)
         else {
             return vec![group];
@@ -319,6 +323,15 @@ mod tests {
         let echoes =
             [(27.6, 37.0), (28.1, 27.0), (29.8, 28.0), (30.9, 10.0), (31.4, 15.0), (33.3, 4.0), (33.8, 45.0)];
         assert_eq!(groups_of(&echoes), [vec![27.6, 28.1, 29.8, 30.9, 31.4], vec![33.3, 33.8]]);
+    }
+
+    /// Two echoes of one cell have one range: the weaker is no valley behind the stronger.
+    #[test]
+    fn two_echoes_at_the_range_of_a_front_stay_together() {
+        let echoes = [(20.0, 30.0), (20.0, 8.0), (21.2, 27.0), (22.5, 28.0), (23.6, 27.0), (24.8, 38.0)];
+        let groups = groups_of(&echoes);
+        assert!(groups[0].starts_with(&[20.0, 20.0]), "{groups:?}");
+        assert_eq!(groups.concat().len(), echoes.len(), "{groups:?}");
     }
 
     #[test]

@@ -93,9 +93,10 @@ impl Tracker {
         let measurements: Vec<Measurement> =
             frame.objects.iter().map(|o| site.measurement(o, &self.settings)).collect();
         self.predict(interval_s);
-        let mut owner = self.associate(&measurements);
+        let assigned = self.associate(&measurements);
+        let mut owner = assigned.clone();
         self.associate_fragments(frame, &measurements, &mut owner);
-        self.update(frame, &measurements, &owner);
+        self.update(frame, &measurements, &assigned, &owner);
         self.initiate_tracks(frame, &measurements, &mut owner);
         self.update_history(interval_s, frame, &measurements);
         self.merge_duplicates();
@@ -171,9 +172,17 @@ impl Tracker {
         }
     }
 
-    fn update(&mut self, frame: &PointsFrame, measurements: &[Measurement], owner: &[Option<usize>]) {
-        for (object, owner) in owner.iter().enumerate() {
-            let Some(track) = *owner else { continue };
+    fn update(
+        &mut self,
+        frame: &PointsFrame,
+        measurements: &[Measurement],
+        assigned: &[Option<usize>],
+        owner: &[Option<usize>],
+    ) {
+        let (first, pieces): (Vec<usize>, Vec<usize>) =
+            (0..owner.len()).partition(|object| assigned[*object].is_some());
+        for object in first.into_iter().chain(pieces) {
+            let Some(track) = owner[object] else { continue };
             let active = &mut self.tracks[track];
             // Among several objects the filter uses the assigned one; if there is none, the strongest, which
             // comes first.
@@ -271,7 +280,14 @@ impl Tracker {
                     && moves_like(state, f.bank.best())
             });
             match older {
-                Some(older) => older.objects.extend(younger.objects),
+                Some(older) => {
+                    // A track that coasted goes on as the one that saw their body.
+                    if older.objects.is_empty() && !younger.objects.is_empty() {
+                        (older.missed_frames, older.unseen_s) = (0, 0.0);
+                        (older.bank, older.body) = (younger.bank, younger.body);
+                    }
+                    older.objects.extend(younger.objects);
+                }
                 None => kept.push(younger),
             }
         }

@@ -6,7 +6,7 @@ use crate::sidecar;
 use artifact::Reader;
 use artifact::dataset::{Crop, Dataset, Sample};
 use pipeline::host::failure::Failure;
-use pipeline::host::progress;
+use pipeline::host::{files, progress};
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -68,6 +68,7 @@ pub fn png(file: &Path, out: &Path) -> Result<(), Failure> {
     for sample in progress::frames(reader) {
         let sample = sample?;
         let place = out.join(format!("{}.png", safe_file_name(&sample.id)));
+        files::refuse_foreign_head(&place, reporting::pictures::is_own)?;
         reporting::pictures::write_gray(&place, [side as usize; 2], &image(file, sample)?.pixels)?;
     }
     Ok(())

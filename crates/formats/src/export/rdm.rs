@@ -128,10 +128,5 @@ fn numbered(out: &Path, frame: u32) -> PathBuf {
 
 /// Refuses to replace a file with a number that is no picture of this program's.
 fn keep_foreign(place: &Path) -> Result<(), Failure> {
-    let rule = "was not named itself, and is no picture that this program wrote";
-    files::refuse_unless(place, rule, || {
-        let mut head = Vec::new();
-        let read = std::fs::File::open(place).and_then(|file| file.take(1024).read_to_end(&mut head));
-        read.is_ok() && pictures::is_own(&head)
-    })
+    files::refuse_foreign_head(place, pictures::is_own)
 }

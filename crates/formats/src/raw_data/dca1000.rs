@@ -70,12 +70,13 @@ fn write_in_two(file: &Path, out: &Path, between: impl FnOnce()) -> Result<(), F
 }
 
 /// Reads frames; a step is `step`, √W, else that of the `.json` beside the file for these samples, else the
-/// unit of the file. The waveform in that `.json` must be the radar's.
+/// unit of the file. The waveform in that `.json` must be the radar's. The layout comes with what tells the
+/// shape of a frame where no `.json` does.
 pub fn read(
     file: &Path,
     header: &CubeHeader,
     step: Option<f32>,
-    layout: Layout,
+    (layout, mut shape): (Layout, ShapeSource),
 ) -> Result<ImportedFrames, Failure> {
     let (recording, sampling) = (RecordingShape::of(file, header)?, header.radar.waveform.sampling);
     layout.check(file, &recording, sampling)?;
@@ -90,7 +91,6 @@ pub fn read(
         return Err(Failure::Refused(format!("{}: {text}", file.display())));
     }
     let beside = description_of(file, &bytes);
-    let mut shape = ShapeSource::Assumed;
     if let Some((told, place)) = &beside {
         WAVEFORM.check(told, place, &header.radar.waveform)?;
         shape = check_sizes(told, place, &recording)?;

@@ -23,6 +23,16 @@ pub(super) fn files_of(out: &Path) -> [PathBuf; 3] {
     SUMMARY_FILES.map(|name| out.join(name))
 }
 
+/// Refuses to replace tables and lines of another origin.
+pub(super) fn refuse_foreign(out: &Path) -> Result<(), Failure> {
+    let is_own = |head: &[u8]| {
+        let text = String::from_utf8_lossy(head);
+        // The first keys of a sample's and of a scene's line, which are sorted, and the head of the table.
+        ["{\"across_m\":", "{\"base\":", "| vehicles |"].iter().any(|begin| text.starts_with(begin))
+    };
+    files_of(out).iter().try_for_each(|place| files::refuse_foreign_head(place, is_own))
+}
+
 /// Missing shards of a recipe, at most `most`: checked first by their names, which suffices for all parts but
 /// the last; if all names exist, the shards are opened. Refused if one belongs to another recipe.
 pub(super) fn lacking(recipe: &Recipe, layout: &Layout, most: usize) -> Result<Vec<PathBuf>, Failure> {

@@ -33,6 +33,22 @@ pub fn refuse_foreign(place: &Path, limit: u64, is_own: impl FnOnce(&[u8]) -> bo
     refuse_unless(place, rule, || read_own(place, limit).is_ok_and(|bytes| is_own(&bytes)))
 }
 
+/// Refuses, as [`refuse_foreign`], by the first kilobyte of the file. An empty one is own: earlier results
+/// are emptied where their names are symbolic links.
+pub fn refuse_foreign_head(place: &Path, is_own: impl FnOnce(&[u8]) -> bool) -> Result<(), Failure> {
+    let rule = "was not written by this program, and would be replaced";
+    refuse_unless(place, rule, || {
+        let mut head = Vec::new();
+        let read = std::fs::File::open(place).and_then(|file| file.take(1024).read_to_end(&mut head));
+        read.is_ok() && (head.is_empty() || is_own(&head))
+    })
+}
+
+/// Refuses, as [`refuse_foreign`], to replace a file that is no artifact.
+pub fn refuse_no_artifact(place: &Path) -> Result<(), Failure> {
+    refuse_foreign_head(place, |head| head.starts_with(artifact::envelope::MAGIC))
+}
+
 /// Refuses, before the work, to replace a plain file that the user did not name unless `may_be` allows it;
 /// `rule` is the text of the refusal. A place that is neither missing nor a plain file is refused by its
 /// writer.

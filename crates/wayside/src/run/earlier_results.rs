@@ -40,12 +40,13 @@ impl EarlierResults {
         Self { out: out.to_owned(), artifacts: vec![], only: Some("scene"), frames }
     }
 
-    /// Refuses to replace files that no run left here: a summary or a report of another origin, and pictures
-    /// without other results of a run.
+    /// Refuses to replace files that no run left here: a summary, a report or an artifact of another origin,
+    /// and pictures without other results of a run.
     pub(crate) fn refuse_foreign(&self) -> Result<(), Failure> {
         let place = |name: &str| self.out.join(name);
         files::refuse_foreign(&place(TOLD[0]), LIMIT_BYTES, summary::is_summary)?;
         files::refuse_foreign(&place(TOLD[1]), LIMIT_BYTES, report::is_report)?;
+        self.artifacts.iter().try_for_each(|name| files::refuse_no_artifact(&place(name)))?;
         let of_runs = self.artifacts.iter().chain(&TOLD).chain([&UNFINISHED]);
         if of_runs.into_iter().any(|name| place(name).is_file()) {
             return Ok(());

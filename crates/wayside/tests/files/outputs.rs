@@ -455,6 +455,27 @@ fn a_run_replaces_results_of_runs_and_nothing_of_these_names_that_is_the_users()
 }
 
 #[test]
+fn results_that_nobody_named_replace_no_files_of_others() {
+    let place = filled();
+    let kept = |command: &str, name: &str| {
+        let _ = std::fs::create_dir_all(place.path(name).parent().unwrap());
+        std::fs::write(place.path(name), "the user's").unwrap();
+        refused(&place.try_run(command), "was not written by this program", command);
+        assert_eq!(place.bytes(name), b"the user's", "{command}");
+        std::fs::remove_file(place.path(name)).unwrap();
+    };
+    for name in ["d/f.rdm", "d/f.points", "d/f.tracks", "d/pictures/rdm-0000.png", "d/pictures/rdm-0001.exr"]
+    {
+        kept("dsp f.cube --out d --pictures --quiet", name);
+    }
+    (0..2).for_each(|_| drop(place.run("dsp f.cube --out d --pictures --quiet"))); // its own, once more
+    kept("run small.toml --out r --no-cache", "r/frames.points");
+    let table = "rcs corner.obj --freq-ghz 77 --az-deg 0:20:9 --bounces 1 --pictures --out S.npy --quiet";
+    ["S-polar.png", "S-azimuth.png", "S-facets.glb", "S-view.html"].map(|name| kept(table, name));
+    (0..2).for_each(|_| drop(place.run(table)));
+}
+
+#[test]
 fn a_study_replaces_results_of_studies_alone() {
     let place = Workplace::new();
     let study = "scene = \"small.toml\"\nrepeats = 1\n[[vary]]\nname = \"chirps\"\n\

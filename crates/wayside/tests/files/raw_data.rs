@@ -441,4 +441,8 @@ fn a_recording_with_other_words_between_its_samples_is_refused_by_the_command_th
     assert!(!place.path("x.cube").exists());
     // The radar is as it says all the same.
     place.run("scene-from b.cfg --device xwr1443 --out b.toml --quiet");
+    std::fs::write(place.path("b.cfg"), BOARD).unwrap();
+    let output = place.try_run("import x.bin --scene bare.toml --config b.cfg --device xwr1443 --out x.cube");
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.success() && !said.contains("tells the shape of a frame"), "{said}");
 }

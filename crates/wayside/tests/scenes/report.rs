@@ -252,7 +252,7 @@ fn pictures_with_numbers_replace_no_others_than_this_programs() {
         let refused = place.try_run(&format!("export out/frames.rdm --to {kind} --out map.{kind}"));
         let told = String::from_utf8_lossy(&refused.stderr);
         assert_eq!(refused.status.code(), Some(2), "{told}");
-        assert!(told.contains(&foreign) && told.contains("no picture that this program wrote"), "{told}");
+        assert!(told.contains(&foreign) && told.contains("was not written by this program"), "{told}");
         assert_eq!(place.bytes(&foreign), b"a photograph");
     }
     place.run("export out/frames.rdm --to png --out bare");

@@ -52,7 +52,7 @@ impl<'w> View<'w> {
     ) -> Self {
         let window = edges
             .iter()
-            .map(|(edge, border)| (edge.mirrored(&mirror.front), border.through_mirror()))
+            .map(|(edge, border)| (edge.mirrored(&mirror.front), border.through_mirror(&mirror.front)))
             .collect();
         Self {
             world,

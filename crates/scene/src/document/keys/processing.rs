@@ -201,5 +201,5 @@ pub(crate) const CLUSTER_VELOCITY: Key<Number, DefaultValue<f64>> =
     Key::new("cluster_velocity_mps", Number(Above(0.0, 1e3)), "m/s, likewise").with_default(1.0);
 
 pub(crate) const CLUSTER_CROSS: Key<Number> =
-    Key::new("cluster_cross_m", Number(Above(0.0, 1e3)), "m across the line of sight, likewise")
+    Key::new("cluster_cross_m", Number(Above(0.0, 1e3)), "m across the lanes, likewise")
         .absent("2.5; of people 0.8");

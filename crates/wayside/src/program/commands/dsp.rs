@@ -32,6 +32,7 @@ pub(crate) fn run(arguments: &DspArguments) -> Result<(), Failure> {
     let from = provenance_of(&reader, &header, inputs);
     let stem = arguments.cube.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let place = |kind: &str| arguments.out.join(format!("{stem}.{kind}"));
+    refuse_foreign(arguments, ["rdm", "points", "tracks"].map(place), reader.frames())?;
     let cloud_header = PointsHeader { cube: Some(header.clone()), targets: vec![], classes: vec![] };
     let followed_header = TracksHeader { cube: Some(header.clone()) };
     let receiver = Receiver::new(&header).map_err(|e| refused(&arguments.cube, &e))?;
@@ -62,6 +63,16 @@ pub(crate) fn run(arguments: &DspArguments) -> Result<(), Failure> {
         terminal::line(WITHOUT_AZIMUTH);
     }
     products.finish()
+}
+
+/// Refuses to replace files of others: results are named after the cube, pictures after their frames.
+fn refuse_foreign(arguments: &DspArguments, results: [PathBuf; 3], frames: u64) -> Result<(), Failure> {
+    results.iter().try_for_each(|place| files::refuse_no_artifact(place))?;
+    let frames = if arguments.pictures { frames } else { 0 };
+    let folder = arguments.out.join("pictures");
+    let of_frame = |index: u64| pictures::names_of_map(index as u32).map(|name| folder.join(name));
+    let mut all = (0..frames).flat_map(of_frame);
+    all.try_for_each(|place| files::refuse_foreign_head(&place, pictures::is_own))
 }
 
 /// Outputs of the processing of a cube: writers of maps, points and tracks, and the tracker between frames.

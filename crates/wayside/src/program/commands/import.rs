@@ -15,7 +15,7 @@ use formats::raw_data::arrays;
 use formats::raw_data::dca1000;
 use formats::raw_data::sigmf;
 use formats::raw_data::uwcr;
-use formats::raw_data::{ImportedFrames, IntegerStep};
+use formats::raw_data::{ImportedFrames, IntegerStep, ShapeSource};
 use num_complex::Complex32;
 use options::{ImportKind, Input};
 use pipeline::chain::keys::cube_header;
@@ -73,7 +73,8 @@ fn samples(arguments: &ImportArguments, input: &Input) -> Result<Samples, Failur
             if let (Some(file), Some(settings)) = (&arguments.config, &settings) {
                 device_config::check_stream(file, settings)?;
             }
-            let layout = layout(arguments, settings.as_ref());
+            let shape = if settings.is_some() { ShapeSource::Described } else { ShapeSource::Assumed };
+            let layout = (layout(arguments, settings.as_ref()), shape);
             let imported = dca1000::read(file, &header, arguments.step, layout)?;
             if imported.step.place().is_none() {
                 note_layout(arguments, settings.as_ref(), header.radar.waveform.sampling);

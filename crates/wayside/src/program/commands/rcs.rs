@@ -105,7 +105,11 @@ fn check(arguments: &RcsArguments) -> Result<(), Failure> {
 /// Refuses, before the work, results that cannot be written or that would replace an input.
 fn claim(arguments: &RcsArguments) -> Result<(), Failure> {
     sidecar::claim_table(&arguments.out)?;
-    if arguments.pictures { files::claim(&pictures::places(&arguments.out)) } else { Ok(()) }
+    if arguments.pictures {
+        files::claim(&pictures::places(&arguments.out))?;
+        pictures::refuse_foreign(&arguments.out)?;
+    }
+    Ok(())
 }
 
 /// Checkpoint of this table, made by these sources.

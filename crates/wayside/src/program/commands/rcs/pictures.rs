@@ -21,7 +21,8 @@ use plotting::marks::{Legend, Mark};
 use plotting::polar::PolarPlot;
 use plotting::svg::Svg;
 use rayon::prelude::*;
-use reporting::pictures::write_png;
+use reporting::pictures::{is_own as is_own_picture, write_png};
+use reporting::report;
 use reporting::report::rcs_view::{self, RcsView};
 use scene::{ColouredLine, ColouredMesh, coloured_glb};
 use std::path::{Path, PathBuf};
@@ -204,6 +205,24 @@ const SPAN_DB: f64 = 40.0;
 /// Every file that can be written beside a table.
 pub(super) fn places(out: &Path) -> Vec<PathBuf> {
     PICTURES.iter().chain([&FACETS, &VIEW]).map(|name| beside(out, name)).collect()
+}
+
+/// Refuses to replace pictures, a coloured mesh or a view that this program did not write.
+pub(super) fn refuse_foreign(out: &Path) -> Result<(), Failure> {
+    let is_own_mesh = |head: &[u8]| head.starts_with(b"glTF") && holds(head, b"wayside");
+    for place in places(out) {
+        let is_own = |head: &[u8]| match place.extension().and_then(|ending| ending.to_str()) {
+            Some("glb") => is_own_mesh(head),
+            Some("html") => report::is_report(head),
+            _ => is_own_picture(head),
+        };
+        files::refuse_foreign_head(&place, is_own)?;
+    }
+    Ok(())
+}
+
+fn holds(head: &[u8], mark: &[u8]) -> bool {
+    head.windows(mark.len()).any(|bytes| bytes.eq_ignore_ascii_case(mark))
 }
 
 const POLAR: &str = "polar.png";
