@@ -471,7 +471,8 @@ fn results_that_nobody_named_replace_no_files_of_others() {
     (0..2).for_each(|_| drop(place.run("dsp f.cube --out d --pictures --quiet"))); // its own, once more
     kept("run small.toml --out r --no-cache", "r/frames.points");
     let table = "rcs corner.obj --freq-ghz 77 --az-deg 0:20:9 --bounces 1 --pictures --out S.npy --quiet";
-    ["S-polar.png", "S-azimuth.png", "S-facets.glb", "S-view.html"].map(|name| kept(table, name));
+    let of_table = ["S-polar.png", "S-azimuth.png", "S-facets.glb", "S-view.html"];
+    of_table.into_iter().for_each(|name| kept(table, name));
     (0..2).for_each(|_| drop(place.run(table)));
 }
 
