@@ -41,7 +41,7 @@ pub(crate) struct FrameReference {
     left_out_m: Option<Vec<Complex64>>,
     /// Fineness of the reference's integrals, and of those of the paths compared with it.
     pub(crate) integration: IntegrationError,
-    /// What a second pair of elements sees.
+    /// Echo between a second pair of elements; `None` unless the array is wide.
     second: Option<SecondPair>,
 }
 

@@ -110,7 +110,9 @@ fn each_frame(
     files::claim(&[out.to_owned()])?; // pictures of several frames add numbers to it
     let (header, single) = (reader.header().clone(), reader.frames() == 1);
     if !single {
-        (0..reader.frames()).try_for_each(|index| keep_foreign(&numbered(out, index as u32)))?;
+        (0..reader.frames()).try_for_each(|index| {
+            files::refuse_foreign_head(&numbered(out, index as u32), pictures::is_own)
+        })?;
     }
     for frame in progress::frames(reader) {
         let frame = frame?;
@@ -124,9 +126,4 @@ fn numbered(out: &Path, frame: u32) -> PathBuf {
     let stem = out.file_stem().unwrap_or_default().to_string_lossy();
     let kind = out.extension().map(|kind| format!(".{}", kind.to_string_lossy())).unwrap_or_default();
     out.with_file_name(format!("{stem}-{frame:04}{kind}"))
-}
-
-/// Refuses to replace a file with a number that is no picture of this program's.
-fn keep_foreign(place: &Path) -> Result<(), Failure> {
-    files::refuse_foreign_head(place, pictures::is_own)
 }
