@@ -6,6 +6,7 @@ pub(crate) mod lit_edge; // parts of edges lit from both ends
 pub(crate) mod fresnel; // Fresnel integral of an edge wave
 pub(crate) mod end_current; // current beyond the end of a face
 pub(crate) mod edge_on; // antennas in the plane of a sheet
+pub(crate) mod fields_over_surfaces; // fields over materials on the way to an edge
 pub(crate) mod edge_node; // a part of an edge with its legs
 pub(crate) mod face_waves; // waves over faces, from edge to edge
 pub(crate) mod edge_currents; // the fringe integral along an edge

@@ -375,6 +375,41 @@ fn metal_behind_a_bumper_is_seen_through_it_twice_weakened() {
     }
 }
 
+/// A screen of four triangles around its centre, half as large as those of a screen of two.
+fn in_quarters(screen: &[[f64; 3]]) -> Vec<Vec<[f64; 3]>> {
+    (0..4).map(|i| vec![[screen[0][0], 0.0, 0.0], screen[i], screen[(i + 1) % 4]]).collect()
+}
+
+#[test]
+fn of_materials_in_one_place_the_better_reflector_is_lit_in_any_order_and_cut() {
+    // |r| is 0.28 of so thin a sheet and 0.34 of rubber.
+    let plastic = || sheet(Complex64::new(2.3, -0.01), 0.3e-3, Thickness::Exact);
+    let rubber = || half_space(Complex64::new(4.0, -0.4));
+    let whole = || vec![screen(0.0, 0.02, 0.02)];
+    let parts = || in_quarters(&screen(0.0, 0.02, 0.02));
+    for (better, worse) in
+        [(Material::Conductor, rubber()), (rubber(), plastic()), (Material::Conductor, plastic())]
+    {
+        let alone = matrix(&mesh(&[(screen(0.0, 0.02, 0.02), better.clone())]), &request(0.0, 0.0), 1)[0];
+        for [below, above] in [[whole(), whole()], [parts(), whole()], [whole(), parts()]] {
+            let of = |polygons: Vec<Vec<[f64; 3]>>, material: &Material| -> Vec<_> {
+                polygons.into_iter().map(|polygon| (polygon, material.clone())).collect()
+            };
+            let (first, second) = (of(below, &better), of(above, &worse));
+            for body in [[first.clone(), second.clone()].concat(), [second, first].concat()] {
+                for body in [mesh(&body), through_sheets(mesh(&body))] {
+                    let got = matrix(&body, &request(0.0, 0.0), 1)[0];
+                    // Sums of other polygons: rounding of a thousand terms at most.
+                    assert!(
+                        (got - alone).norm() < 1e-12 * alone.norm(),
+                        "{better:?} {worse:?}: {got} {alone}"
+                    );
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn swapping_transmitter_and_receiver_transposes_s_through_sheets_too() {
     let [a, b] = dihedral(95.0, 15.0);

@@ -5,6 +5,7 @@
 )]
 
 use artifact::Accuracy;
+use artifact::material::{Backing, Layer, Material, Thickness, Transmission};
 use artifact::scene::Mesh;
 use artifact::settings::Sides;
 use artifact::units::SPEED_OF_LIGHT_MPS;
@@ -149,6 +150,25 @@ fn a_receiver_or_a_transmitter_inside_a_closed_body_is_refused() {
         let one_sided = RcsRequest { sides: Sides::One, ..request(0.1) };
         assert!(inside(quiet(&one_sided)), "{}", mesh.name);
     }
+}
+
+#[test]
+fn a_sheet_elsewhere_opens_no_closed_body_and_one_in_its_wall_does() {
+    let layers = vec![Layer { thickness_m: 0.003, permittivity: Complex64::from(2.3) }];
+    let sheet = Material::Layers { layers, backing: Backing::Air, thickness: Thickness::Exact };
+    let with_sheet = |triangle: usize| {
+        let mut mesh = cube();
+        mesh.vertices_m.extend([[5.0, 0.0, 0.0], [5.0, 0.05, 0.0], [5.0, 0.0, 0.05]]);
+        mesh.triangles.push([8, 9, 10]);
+        // Wound either way round, so that the lit facets decide.
+        mesh.triangles.iter_mut().step_by(2).for_each(|triangle| triangle.swap(0, 1));
+        mesh.material_of_triangle = (0..13).map(|index| u16::from(index == triangle)).collect();
+        mesh.makeup.materials = vec![Material::Conductor, sheet.clone()];
+        mesh.makeup.transmission = Transmission::Followed;
+        rcs(&mesh, &RcsRequest { bounces: 1, ..request(0.1) }, &|_, _| ())
+    };
+    assert!(matches!(with_sheet(12), Err(BartError::AntennaEnclosed { .. })));
+    assert!(with_sheet(3).is_ok());
 }
 
 #[test]

@@ -134,25 +134,55 @@ struct WheelOutline {
     height_to_length: f64,
 }
 
-/// Least-squares ellipse with axes along x and z through the outermost corners: corners may be uneven, and a
-/// vehicle scaled to its size has wheels slightly higher than long. The previous ellipse determines which
-/// corners are outermost. `None` if there is no such ellipse.
+/// Least-squares ellipse with axes along x and z through the corners of the wheel's convex hull: a vehicle
+/// scaled to its size has wheels slightly higher than long, and an odd number of sectors has its hub off the
+/// middle of the box. `None` if there is no such ellipse.
 fn outline(corners_m: &[[DVec3; 3]], middle_m: DVec3, height_m: f64) -> Option<WheelOutline> {
     let places: Vec<DVec3> =
         corners_m.iter().flatten().map(|corner| (*corner - middle_m) / (0.5 * height_m)).collect();
-    let circle = (DVec3::ZERO, 1.0);
-    let (centre, height_to_length) = (0..4).try_fold(circle, |last, _| ellipse(&places, last))?;
+    let (centre, height_to_length) = ellipse(&convex_hull(places))?;
     Some(WheelOutline { hub_m: middle_m + 0.5 * height_m * centre, height_to_length })
 }
 
-/// Centre and ratio of height to length of A·x² + C·z² + D·x + E·z = 1 through the corners that are outermost
-/// relative to a previous ellipse.
-fn ellipse(places: &[DVec3], (centre, height_to_length): (DVec3, f64)) -> Option<(DVec3, f64)> {
-    const OUTERMOST: f64 = 0.97;
-    let radius = |p: &DVec3| (height_to_length * (p.x - centre.x)).hypot(p.z - centre.z);
-    let largest = places.iter().map(radius).fold(0.0, f64::max);
+/// Corners of the convex hull in the plane of x and z (A. M. Andrew, Information Processing Letters 9, 1979,
+/// pp. 216–219), counterclockwise seen along y.
+fn convex_hull(mut places: Vec<DVec3>) -> Vec<DVec3> {
+    places.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.z.total_cmp(&b.z)));
+    let mut hull = convex_chain(places.iter());
+    hull.extend(convex_chain(places.iter().rev()));
+    hull
+}
+
+/// Half of a convex hull, without its last corner, which is the first one of the other half.
+fn convex_chain<'p>(places: impl Iterator<Item = &'p DVec3>) -> Vec<DVec3> {
+    let mut chain: Vec<DVec3> = vec![];
+    for p in places {
+        while let [.., a, b] = &chain[..]
+            && !protrudes(*b, *a, *p)
+        {
+            chain.pop();
+        }
+        chain.push(*p);
+    }
+    chain.pop();
+    chain
+}
+
+/// Whether a corner lies outside the line between two others, by more than the rounding of a file.
+fn protrudes(corner: DVec3, before: DVec3, after: DVec3) -> bool {
+    const LEAST: f64 = 1e-4;
+    let (side, chord) = (corner - before, after - before);
+    side.x * chord.z - side.z * chord.x > LEAST * chord.x.hypot(chord.z)
+}
+
+/// Centre and ratio of height to length of A·x² + C·z² + D·x + E·z = 1 through corners; `None` if fewer than
+/// five leave it open, or if it is far from the circle in the box.
+fn ellipse(corners: &[DVec3]) -> Option<(DVec3, f64)> {
+    if corners.len() < 5 {
+        return None;
+    }
     let (mut normal, mut right) = (DMat4::ZERO, DVec4::ZERO);
-    for p in places.iter().filter(|p| radius(p) >= OUTERMOST * largest) {
+    for p in corners {
         let row = DVec4::new(p.x * p.x, p.z * p.z, p.x, p.z);
         normal += DMat4::from_cols(row * row.x, row * row.y, row * row.z, row * row.w);
         right += row;
@@ -226,6 +256,38 @@ mod tests {
         }
     }
 
+    /// A mesh, rotated about an axle.
+    fn rotated(mut mesh: Mesh, hub_m: [f64; 3], angle_rad: f64) -> Mesh {
+        let (sin, cos) = angle_rad.sin_cos();
+        for v in &mut mesh.vertices_m {
+            let (x, z) = (v[0] - hub_m[0], v[2] - hub_m[2]);
+            (v[0], v[2]) = (hub_m[0] + cos * x - sin * z, hub_m[2] + sin * x + cos * z);
+        }
+        mesh
+    }
+
+    #[test]
+    fn hubs_of_wheels_of_any_number_of_sectors_in_any_position_are_found() {
+        let hub_m = [1.3, 0.7, 0.33];
+        for (sectors, quarter) in (7..=32).flat_map(|sectors| (0..4).map(move |quarter| (sectors, quarter))) {
+            let step_rad = TAU / sectors as f64;
+            // The shoulders of the tread are a little lower than its middle.
+            let tyre = joined(&[tube(hub_m, 0.33, 0.1, sectors), tube(hub_m, 0.325, 0.12, sectors)]);
+            let tyre = rotated(tyre, hub_m, 0.25 * step_rad * f64::from(quarter));
+            let first_blade = tyre.triangles.len() as u32;
+            let mut mesh = joined(&[tyre, star(hub_m, 0.25, 5)]);
+            mesh.vertices_m.iter_mut().for_each(|v| v[0] *= 0.97);
+            let found = road_wheels(&mesh, &vec![true; mesh.triangles.len()]);
+            let [wheel] = &found[..] else { panic!("{sectors} sectors, {quarter}: {found:?}") };
+            let expected = DVec3::new(0.97 * hub_m[0], hub_m[1], hub_m[2]);
+            assert!((DVec3::from_array(wheel.hub_m) - expected).length() < 1e-9, "{sectors}: {wheel:?}");
+            // Seven sectors are no body of revolution yet.
+            let blades: Vec<u32> = (first_blade..first_blade + 5).collect();
+            assert_eq!(&wheel.triangles[wheel.triangles.len() - 5..], blades, "{sectors}");
+            assert_eq!(wheel.triangles.len() == 5, sectors >= 8, "{sectors}: {wheel:?}");
+        }
+    }
+
     #[test]
     fn blades_turn_and_the_tyre_about_them_does_not() {
         for blades in [3, 5, 10, 36] {
@@ -265,5 +327,8 @@ mod tests {
         let mut mesh = star([0.0, 0.0, 0.3], 0.3, 5);
         mesh.vertices_m.iter_mut().for_each(|v| v[0] *= 1.5);
         assert!(road_wheels(&mesh, &[true; 5]).is_empty());
+        let hub_m = [0.0, 0.0, 0.3];
+        let square = rotated(tube(hub_m, 0.3, 0.1, 4), hub_m, TAU / 8.0);
+        assert!(road_wheels(&square, &[true; 8]).is_empty(), "as long as high, with four corners");
     }
 }

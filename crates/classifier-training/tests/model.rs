@@ -97,6 +97,17 @@ fn metrics_and_curves_stand_beside_the_weights() {
 }
 
 #[test]
+fn a_training_that_ends_before_its_weights_leaves_none_of_an_earlier_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let weights = folder.path().join(WEIGHTS_FILE);
+    std::fs::write(&weights, "of an earlier training").unwrap();
+    // The curves, which are written between metrics and weights, have no place.
+    std::fs::create_dir(folder.path().join(CURVES_FILE)).unwrap();
+    assert!(save_model(folder.path(), &TRAINED, &Provenance::default()).is_err());
+    assert!(folder.path().join(METRICS_FILE).exists() && !weights.exists());
+}
+
+#[test]
 fn a_model_of_another_network_is_refused() {
     let refused = |change: fn(&mut ModelHeader)| {
         let mut header = TRAINED.header.clone();
@@ -108,6 +119,14 @@ fn a_model_of_another_network_is_refused() {
         ClassifierError::Architecture { .. }
     ));
     assert!(matches!(refused(|h| h.classes.reverse()), ClassifierError::Classes { .. }));
+    assert!(matches!(
+        refused(|h| h.least_probability = 1.5),
+        ClassifierError::Setting { setting: "least_probability", .. }
+    ));
+    assert!(matches!(
+        refused(|h| h.frame_correlation = -0.1),
+        ClassifierError::Setting { setting: "frame_correlation", .. }
+    ));
     assert!(matches!(refused(|h| shape(h).unwrap().channels = vec![4, 8]), ClassifierError::Channels { .. }));
     assert!(matches!(
         refused(|h| shape(h).unwrap().channels[1] = u32::MAX),

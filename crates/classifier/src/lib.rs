@@ -35,7 +35,7 @@ mod ensembles; // trees and networks over signatures, trained on sightings
 pub use crops::classify::Classifier;
 pub use crops::layout::{ARCHITECTURE, CHANNELS, Layout};
 pub use crops::model_folder::{
-    CURVES_FILE, METRICS_FILE, MODEL_FILES, WEIGHTS_FILE, load_model, model_of_bytes,
+    CURVES_FILE, METRICS_FILE, MODEL_FILES, NETWORK_CURVE_COLUMNS, WEIGHTS_FILE, load_model, model_of_bytes,
 };
 pub use crops::network::{Logits, VARIANCE_FLOOR};
 pub use crops::parameters::{Parameters, Values};
@@ -47,7 +47,9 @@ pub use ensembles::feature_similarity::{area_under_roc, feature_similarity};
 pub use ensembles::profile_training::{ProfileSettings, train_networks};
 pub use ensembles::signature_classifier::{SignatureClassifier, answer};
 pub use ensembles::signature_training::SignatureTraining;
-pub use ensembles::track_metrics::{ClassificationMetrics, metrics_by_frame_and_track, track_logits};
+pub use ensembles::track_metrics::{
+    ClassificationMetrics, metrics_by_frame_and_track, track_evidence, track_logits,
+};
 pub use ensembles::trained_model::{SignatureMetrics, TrainedModel};
 pub use ensembles::tree_training::{TreeSettings, train_trees};
 pub use ensembles::trees::logits as tree_logits;

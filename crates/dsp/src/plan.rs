@@ -9,7 +9,7 @@ use crate::direction::angle::VirtualArray;
 use crate::error::DspError;
 use crate::spectrum::map_transform::RangeDoppler;
 use crate::spectrum::noncoherent::PowerLevels;
-use crate::spectrum::window::{noise_bandwidth_bins, taper};
+use crate::spectrum::window::{correlated_bins, noise_bandwidth_bins, taper};
 use artifact::Radar;
 use artifact::cube::CubeHeader;
 use artifact::rdm::RdmFrame;
@@ -34,6 +34,8 @@ pub(crate) struct Thresholds {
     pub(crate) finder: PeakFinder,
     /// Noise bandwidth of a cell under both windows, in cells.
     pub(crate) bandwidth_cells: f64,
+    /// Doppler window and range window.
+    pub(crate) tapers: [Vec<f64>; 2],
     /// Threshold over known noise: that of infinitely many training cells.
     pub(crate) of_known_noise: f64,
 }
@@ -47,9 +49,10 @@ impl Thresholds {
         let bandwidth_cells = noise_bandwidth_bins(&doppler) * noise_bandwidth_bins(&range);
         Ok(Self {
             detector,
-            censoring: Censoring::new(header, bandwidth_cells),
+            censoring: Censoring::new(header, correlated_bins(&doppler) * correlated_bins(&range)),
             finder: PeakFinder::new(&header.radar, &doppler, &range),
             bandwidth_cells,
+            tapers: [doppler, range],
             // At 1e9 cells the factor is within 1e-8 of its limit.
             of_known_noise: threshold_factor(1e9, header.radar.map_channels(), settings.false_alarm_rate),
         })

@@ -1,24 +1,25 @@
 //! Response of a map's rows to a tone, by the Doppler window and the chirps' start times.
 //!
-//! For equidistant chirps it is the window's transform, of which the main lobe and one sidelobe count. If
-//! chirp m starts δ_m later than m·T, a tone d rows beside a row has there the response Σ_m w_m·e^{j2πd(m/N +
-//! δ_m/NT − ½)}/N, which is small nowhere: all rows count, and tones a whole turn per chirp apart differ. For
-//! chirps r, r + P, … with equal delays the sum has period N rows and is tabulated.
+//! For equidistant chirps it is the window's transform; in the labels of whole maps its main lobe and one
+//! sidelobe count. If chirp m starts δ_m later than m·T, a tone d rows beside a row has there the response
+//! Σ_m w_m·e^{j2πd(m/N + δ_m/NT − ½)}/N, which is small nowhere: all rows count, and tones a whole turn per
+//! chirp apart differ. For chirps r, r + P, … with equal delays the sum has period N rows and is tabulated.
 
 use artifact::Radar;
 use num_complex::Complex64;
 use radar::doppler_ambiguity::folded;
-use std::f64::consts::TAU;
+use radar::window::fine_transform;
+use std::f64::consts::{PI, TAU};
 
-/// Distance in cells from the peak within which a tone counts: the main lobe of all windows here and a
-/// sidelobe.
-pub(crate) const REACH_CELLS: f64 = 4.0;
+/// Distance in cells from the peak within which a tone counts in all cells of a map: the main lobe of all
+/// windows here and a sidelobe.
+const REACH_CELLS: f64 = 4.0;
 /// Tabulated places per cell: finer than the accuracy of a point's place.
 const PLACES_PER_CELL: usize = 64;
 
 /// Response along the rows of a radar's map.
 pub(crate) enum DopplerResponse {
-    /// Equidistant chirps: amplitudes in steps from the centre on.
+    /// Equidistant chirps: amplitudes in steps from the centre on, to half the axis.
     Even(Vec<f64>),
     /// Chirps with periodically repeated delays.
     Staggered(Staggered),
@@ -44,13 +45,10 @@ impl DopplerResponse {
 
     /// Amplitude in a row, counted from that of zero velocity, of a tone at another place, which is not
     /// folded.
-    pub(crate) fn at(&self, tone: f64, row: f64, rows: u32) -> Option<Complex64> {
+    pub(crate) fn at(&self, tone: f64, row: f64, rows: u32) -> Complex64 {
         match self {
-            Self::Even(along) => {
-                let apart = folded(tone - row, f64::from(rows));
-                (apart.abs() < REACH_CELLS).then(|| at(along, apart).into())
-            }
-            Self::Staggered(staggered) => Some(staggered.at(tone - signed(row, f64::from(rows)))),
+            Self::Even(along) => at(along, folded(tone - row, f64::from(rows))).into(),
+            Self::Staggered(staggered) => staggered.at(tone - signed(row, f64::from(rows))),
         }
     }
 
@@ -124,16 +122,13 @@ pub(crate) fn at(response: &[f64], cells: f64) -> f64 {
 }
 
 /// Amplitude in a cell of a tone at a distance from the cell's centre, relative to the window's middle, where
-/// it is real.
+/// it is real: to half the axis, which repeats beyond.
 pub(crate) fn response(taper: &[f64]) -> Vec<f64> {
-    let length = taper.len() as f64;
-    let steps = REACH_CELLS as usize * PLACES_PER_CELL;
-    let of = |step: usize| {
-        let turn = TAU / PLACES_PER_CELL as f64 * step as f64 / length;
-        taper.iter().enumerate().map(|(n, w)| w * (turn * (n as f64 - 0.5 * length)).cos()).sum::<f64>()
-            / length
+    let about_middle = |(step, value): (usize, Complex64)| {
+        (value * Complex64::cis(-PI * step as f64 / PLACES_PER_CELL as f64)).re / taper.len() as f64
     };
-    (0..=steps).map(of).collect()
+    let half = taper.len() * PLACES_PER_CELL / 2;
+    fine_transform(taper, PLACES_PER_CELL).into_iter().take(half + 1).enumerate().map(about_middle).collect()
 }
 
 #[cfg(test)]
@@ -174,7 +169,20 @@ mod tests {
             let turns = |m: usize| (tone - row as f64) * (radar.chirp_start_s(0, m) / frame_s - 0.5);
             let sum: Complex64 = (0..32).map(|m| Complex64::cis(TAU * turns(m)) * taper[m] / 32.0).sum();
             assert!((told - sum).norm() < 1e-12, "row {row}: {told} of {sum}");
-            assert_eq!(response.at(tone, row as f64, 32), Some(told));
+            assert_eq!(response.at(tone, row as f64, 32), told);
+        }
+    }
+
+    /// The sidelobes of a rectangular window fall as 1/πd alone.
+    #[test]
+    fn even_rows_are_the_sum_over_the_chirps_as_far_as_the_axis_goes() {
+        let radar = paper::radar([0.0; 3], paper::waveform(64, 32), Preset::OneByFour.elements());
+        let response = DopplerResponse::of(&radar, &[1.0; 32]);
+        for apart in [0.5, 3.25, 4.5, 9.5, 15.75, 16.0, 20.5] {
+            let turns = |m: usize| folded(apart, 32.0) * (m as f64 / 32.0 - 0.5);
+            let sum: f64 = (0..32).map(|m| (TAU * turns(m)).cos() / 32.0).sum();
+            let told = response.at(apart, 0.0, 32);
+            assert!((told - sum).norm() < 1e-12, "{apart}: {told} of {sum}");
         }
     }
 }

@@ -6,9 +6,12 @@
 //! path, at the middle of frame and sweep). The sum is split by target and order and coherent within each:
 //! cells of one surface cancel away from its mirror direction, so the powers of single paths would be
 //! meaningless. A point whose paths are together below the noise is a false alarm and has no label.
+//!
+//! The map of real samples holds the conjugate of each echo too, at the opposite range and velocity: an echo
+//! from beyond the map folds into it as its own image, with the phases of all channels and slots reversed.
 
 use crate::beam::beam_response;
-use crate::doppler_response::{DopplerResponse, REACH_CELLS, at, response};
+use crate::doppler_response::{DopplerResponse, at, response};
 use artifact::Waveform;
 use artifact::cube::CubeHeader;
 use artifact::paths::{Path, PathsFrame};
@@ -136,6 +139,8 @@ pub(crate) struct PathOnMap {
     pub(crate) group: EchoGroup,
     /// √W, with its phase in the middle of the sweep.
     pub(crate) value: Complex64,
+    /// |value|.
+    size: f64,
     pub(crate) position: MapPosition,
     /// Unit vectors from the array to the apparent points of the transmitter's and the receiver's side.
     pub(crate) directions: [DVec3; 2],
@@ -144,9 +149,11 @@ pub(crate) struct PathOnMap {
 impl PathOnMap {
     pub(crate) fn of(radar: &Radar, path: &Path) -> Self {
         let [there, back] = legs(radar, path);
+        let value = echo_value(radar, path);
         Self {
             group: EchoGroup::of(path),
-            value: echo_value(radar, path),
+            value,
+            size: value.norm(),
             position: MapPosition::of(
                 &radar.waveform,
                 0.5 * (there.length_m + back.length_m),
@@ -204,14 +211,10 @@ impl MapResponse {
 
     /// Finds the sum of each group in the cell of a point, beamformed to the point's direction, √W.
     fn shares(&self, radar: &Radar, echoes: &[PathOnMap], point: &Point) -> BTreeMap<EchoGroup, Share> {
-        let (w, toward) = (&radar.waveform, direction(point));
-        let position = MapPosition::of(w, point.range_m, point.radial_velocity_mps);
         let mut shares: BTreeMap<EchoGroup, Share> = BTreeMap::new();
-        for (index, echo) in echoes.iter().enumerate() {
-            let Some(tone) = self.response_to(w, echo, position) else { continue };
-            let faster_mps = echo.position.radial_velocity_mps - point.radial_velocity_mps;
-            let beam = beam_response(radar, echo.directions, toward, faster_mps);
-            let value = tone.of(echo.value * beam);
+        for Tone { echo: index, line, share, .. } in self.tones(&radar.waveform, echoes, point) {
+            let echo = &echoes[index];
+            let value = share * echo.in_beam(radar, line, point);
             let share = shares.entry(echo.group).or_default();
             share.sum += value;
             if value.norm_sqr() >= share.largest {
@@ -221,35 +224,81 @@ impl MapResponse {
         shares
     }
 
-    /// Part of an echo's amplitude in the point's cell; `None` beyond the reach of the windows, with
-    /// staggered chirps of the range window alone. Tones a sample rate apart are the same, as are rows a turn
-    /// per chirp apart: echoes from beyond the map fold into it, with real samples also the image.
-    fn response_to(&self, w: &Waveform, echo: &PathOnMap, point: MapPosition) -> Option<ToneResponse> {
-        let tone = |is_image: bool| {
-            let sign = if is_image { -1.0 } else { 1.0 };
-            let place = |position: MapPosition| position.radial_velocity_mps / self.cells[0];
-            let columns = (sign * echo.position.range_m - point.range_m) / self.cells[1];
-            let columns = folded(columns, f64::from(w.samples));
-            if columns.abs() >= REACH_CELLS {
-                return None;
+    /// Tones of the echoes that count in the point's cell. Tones a sample rate apart are the same, as are
+    /// rows a turn per chirp apart: echoes from beyond the map fold into it, with real samples also their
+    /// conjugates.
+    fn tones(&self, w: &Waveform, echoes: &[PathOnMap], point: &Point) -> Vec<Tone> {
+        let at_point = MapPosition::of(w, point.range_m, point.radial_velocity_mps);
+        let place = |position: MapPosition| position.radial_velocity_mps / self.cells[0];
+        let (row, mut tones, mut largest) = (place(at_point), vec![], 0.0_f64);
+        for (index, echo) in echoes.iter().enumerate() {
+            for line in Line::of(w.sampling) {
+                let columns = (line.sign() * echo.position.range_m - at_point.range_m) / self.cells[1];
+                let along = at(&self.range, folded(columns, f64::from(w.samples)));
+                if echo.size * along.abs() < LEAST_SIZE * largest {
+                    continue;
+                }
+                let share = along * self.doppler.at(line.sign() * place(echo.position), row, w.chirps);
+                let size = echo.size * share.norm();
+                largest = largest.max(size);
+                tones.push(Tone { echo: index, line: *line, share, size });
             }
-            let of_row = self.doppler.at(sign * place(echo.position), place(point), w.chirps)?;
-            Some(ToneResponse { share: of_row * at(&self.range, columns), is_image })
-        };
-        tone(false).or_else(|| (w.sampling == Sampling::Real).then(|| tone(true)).flatten())
+        }
+        tones.retain(|tone| tone.size > 0.0 && tone.size >= LEAST_SIZE * largest);
+        tones
     }
 }
 
-/// Part of a tone's amplitude in a cell.
-struct ToneResponse {
+/// Amplitude over that of the largest tone in a cell below which a tone does not count there: a hundred of
+/// them in phase are a tenth of it.
+const LEAST_SIZE: f64 = 1e-3;
+
+/// A line of an echo in a cell.
+struct Tone {
+    /// Index of the echo.
+    echo: usize,
+    line: Line,
+    /// Part of the echo's amplitude, and the amplitude, √W.
     share: Complex64,
-    /// Whether it is the negative frequency of a real tone.
-    is_image: bool,
+    size: f64,
 }
 
-impl ToneResponse {
-    fn of(&self, value: Complex64) -> Complex64 {
-        self.share * if self.is_image { value.conj() } else { value }
+/// Line of an echo in the spectrum of samples.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Line {
+    /// The echo's own.
+    Echo,
+    /// The negative frequency of a real tone.
+    Conjugate,
+}
+
+impl Line {
+    /// Lines of an echo.
+    fn of(sampling: Sampling) -> &'static [Self] {
+        match sampling {
+            Sampling::Complex => &[Self::Echo],
+            Sampling::Real => &[Self::Echo, Self::Conjugate],
+        }
+    }
+
+    /// Sign of range and velocity.
+    fn sign(self) -> f64 {
+        match self {
+            Self::Echo => 1.0,
+            Self::Conjugate => -1.0,
+        }
+    }
+}
+
+impl PathOnMap {
+    /// Value of one of its lines in the beam towards a point, with the phases of slots removed as for the
+    /// point's velocity.
+    fn in_beam(&self, radar: &Radar, line: Line, point: &Point) -> Complex64 {
+        let faster_mps = line.sign() * self.position.radial_velocity_mps - point.radial_velocity_mps;
+        // Conjugate values of all channels are those of an echo from the opposite directions.
+        let directions = self.directions.map(|direction| line.sign() * direction);
+        let beam = beam_response(radar, directions, direction(point), faster_mps);
+        beam * if line == Line::Conjugate { self.value.conj() } else { self.value }
     }
 }
 
@@ -258,4 +307,100 @@ fn direction(point: &Point) -> DVec3 {
     let (sin, cos) = point.azimuth_rad.sin_cos();
     let (up, level) = point.elevation_rad.sin_cos();
     DVec3::new(sin * level, cos * level, up)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use artifact::cube::SampleUnit;
+    use artifact::points::Height;
+    use artifact::radar::Multiplexing;
+    use artifact::settings::{Noise, Window};
+    use radar::aperture::{Elements, Preset};
+    use radar::paper;
+
+    fn header(elements: [Elements; 2], multiplexing: Multiplexing) -> CubeHeader {
+        let mut radar = paper::radar([0.0; 3], paper::waveform(128, 64), elements);
+        radar.array.multiplexing = multiplexing;
+        let (noise, dsp) = (Noise::Absent, paper::processing());
+        CubeHeader { radar, noise, dsp, unit: SampleUnit::RootWatts }
+    }
+
+    /// An echo of body 3 at a direction cosine, level with the radar, in the frame's middle.
+    fn path(header: &CubeHeader, range_m: f64, velocity_mps: f64, right: f64) -> Path {
+        let way_m = range_m - velocity_mps * header.radar.frame_middle_s();
+        let ahead = (1.0 - right * right).sqrt();
+        let [at_m, mps] = [way_m, velocity_mps].map(|along| [along * right, along * ahead, 0.0]);
+        Path {
+            target: 3,
+            apparent_tx_m: at_m,
+            apparent_rx_m: at_m,
+            apparent_tx_mps: mps,
+            apparent_rx_mps: mps,
+            amplitude_m: [[Complex64::ONE; 2]; 2],
+            ..Path::default()
+        }
+    }
+
+    fn point(range_m: f64, radial_velocity_mps: f64, right: f64) -> Point {
+        Point {
+            range_m,
+            radial_velocity_mps,
+            azimuth_rad: right.asin(),
+            elevation_rad: 0.0,
+            height: Height::Assumed,
+            position_m: [0.0; 3],
+            snr_db: 30.0,
+            two_ways_rad: None,
+            stationary: None,
+            object: None,
+            target: None,
+            label: None,
+        }
+    }
+
+    /// Target of a point's label, with one path of this signal-to-noise ratio in a cell of one channel.
+    fn target(header: &CubeHeader, path: Path, snr_db: f64, point: Point) -> Option<u32> {
+        let value = echo_value(&header.radar, &path) * MapResponse::new(header).unwrap().gain;
+        let noise = value.norm_sqr() * 10_f64.powf(-0.1 * snr_db);
+        let paths = PathsFrame { paths: vec![path], ..PathsFrame::default() };
+        origins(header, &paths, noise, &[point]).unwrap()[0].label().map(|label| label.target)
+    }
+
+    /// Real samples reach to 30.7 m; from 33 m an echo folds to 28.4 m, approaching where it recedes, on the
+    /// other side of the boresight.
+    #[test]
+    fn the_image_of_an_echo_beyond_the_map_is_the_echo_s_in_every_direction() {
+        use Multiplexing::{Bpm, Simultaneous, Tdm};
+        let arrays = [Preset::OneByFour, Preset::ThreeByFour].map(|preset| preset.elements());
+        for (elements, multiplexing) in [(0, Simultaneous), (1, Simultaneous), (1, Tdm), (1, Bpm)] {
+            let mut header = header(arrays[elements].clone(), multiplexing);
+            header.radar.waveform.sampling = Sampling::Real;
+            let folded_m = 128.0 * header.radar.waveform.range_resolution_m() - 33.0;
+            for right in [-0.5, -0.25, 0.0, 0.1, 0.25, 0.5] {
+                let path = path(&header, 33.0, -2.5, right);
+                let seen = |right: f64| target(&header, path, 10.0, point(folded_m, 2.5, right));
+                assert_eq!(seen(-right), Some(3), "{multiplexing:?} at {right}");
+                // A quarter of the direction cosines away lies a null of four elements.
+                assert_eq!(seen(0.5 - right), None, "{multiplexing:?} at {right}");
+            }
+        }
+    }
+
+    #[test]
+    fn cells_on_the_sidelobes_of_an_echo_are_the_echo_s_as_far_as_they_leave_the_noise() {
+        let mut header = header(Preset::OneByFour.elements(), Multiplexing::Simultaneous);
+        header.dsp.range_window = Window::Rect;
+        let cell_m = header.radar.waveform.range_resolution_m();
+        let path = path(&header, 40.5 * cell_m, 0.0, 0.0);
+        // sinc(9.5) is −29.5 dB.
+        for (snr_db, label) in [(34.5, Some(3)), (20.0, None)] {
+            assert_eq!(target(&header, path, snr_db, point(50.0 * cell_m, 0.0, 0.0)), label, "{snr_db} dB");
+        }
+        // Hann's window leaves sinc(4.5)/(1 − 4.5²), −48.6 dB.
+        header.dsp.range_window = Window::Hann;
+        for (snr_db, label) in [(50.0, Some(3)), (40.0, None)] {
+            assert_eq!(target(&header, path, snr_db, point(45.0 * cell_m, 0.0, 0.0)), label, "{snr_db} dB");
+        }
+    }
 }

@@ -41,6 +41,11 @@ const ON_OUTLINE_M: f64 = 0.5;
 /// Additional distance of an object in another fold than the body's.
 const OTHER_FOLD_M: f64 = 2.0;
 
+/// Largest difference between the radial velocities of a track that coasts and of a body whose echoes were
+/// removed. The track keeps the velocity at which its body was last seen: one that brakes by 4.5 m/s² is 0.9
+/// m/s slower a frame later, after 0.2 s.
+const COASTING_MPS: f64 = 1.0;
+
 /// Limits of a radar's measurements of places and velocities.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeasurementLimits {
@@ -134,6 +139,20 @@ impl MeasurementLimits {
         folded_mps(velocity_mps, self.velocity_span_mps)
     }
 
+    /// Whether a track that coasts has the radial velocity of a body whose echoes are removed, to
+    /// [`COASTING_MPS`] or a Doppler cell. A velocity that is not resolved is compared as the map folds it.
+    fn moves_on_with(&self, truth: &Truth, track: &Track) -> bool {
+        let away_m = DVec2::from(track.footprint.centre_m) - self.position_m.truncate();
+        let sight = away_m.normalize_or_zero();
+        let of_body_mps = match self.resolves_azimuth {
+            true => truth.velocity_mps.truncate().dot(sight),
+            false => truth.radial_velocity_mps,
+        };
+        let apart_mps = DVec2::from(track.velocity_mps).dot(sight) - of_body_mps;
+        let apart_mps = if track.velocity_resolved { apart_mps } else { self.folded_mps(apart_mps) };
+        apart_mps.abs() <= COASTING_MPS.max(self.removed_to_mps.unwrap_or(0.0))
+    }
+
     /// Whether all of a body's echoes are at rest and removed.
     fn removes(&self, truth: &Truth) -> bool {
         let velocity_mps = truth.echo.map_or(truth.radial_velocity_mps, |echo| echo.radial_velocity_mps);
@@ -149,6 +168,8 @@ fn velocity_gate_mps(radar: &Radar) -> f64 {
 /// Bodies of a frame with their objects.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pairing {
+    /// Limits by which they were paired.
+    pub(crate) limits: MeasurementLimits,
     /// Index of each truth's object, in the order of the truths.
     pub object_of: Vec<Option<usize>>,
     /// Truths that should be found, in order: rows of `squares_m2`.
@@ -188,6 +209,7 @@ impl Pairing {
             |o: &usize| objects[*o].stationary == Some(true) && !all.chosen.contains(&Some(*o));
         let (stationary, moving): (Vec<usize>, Vec<usize>) = (0..objects.len()).partition(is_stationary);
         Self {
+            limits: *limits,
             object_of,
             squares_m2: squares_m2.select(Axis(0), &kept).select(Axis(1), &moving),
             gospa: all.without(&gone, stationary.len()),
@@ -200,6 +222,16 @@ impl Pairing {
     /// Body of an object.
     pub fn body_of(&self, object: usize) -> Option<usize> {
         self.object_of.iter().position(|own| *own == Some(object))
+    }
+
+    /// Whether a track without an object in this frame may follow a body whose echoes were removed: it is no
+    /// farther from the body than `far_m`, and its velocity is that of the body.
+    pub(crate) fn follows_removed(&self, truths: &[Truth], track: &Track, far_m: f64) -> bool {
+        let middle_m = DVec2::from(track.footprint.centre_m);
+        let is_it = |truth: &Truth| {
+            truth.position_m.truncate().distance(middle_m) <= far_m && self.limits.moves_on_with(truth, track)
+        };
+        track.objects.is_empty() && self.removed.iter().any(|body| is_it(&truths[*body]))
     }
 
     /// Whether a track has objects in this frame, and only stationary ones.
@@ -217,35 +249,9 @@ pub fn ground_position(object: &Object) -> DVec2 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ground_outline::GroundOutline;
-    use crate::test_object::object_at;
-    use artifact::scene::{Mesh, Pose, Role};
+    use crate::test_object::{body, object_at};
+    use artifact::scene::Role;
     use glam::DVec3;
-
-    /// A body of this length that comes down its lane, its middle at a place.
-    fn body(length_m: f64, [x_m, y_m]: [f64; 2]) -> Truth {
-        let yaw_rad = -std::f64::consts::FRAC_PI_2;
-        let pose = Pose {
-            position_m: [x_m, y_m, 0.0],
-            yaw_rad,
-            yaw_radps: 0.0,
-            velocity_mps: [0.0; 3],
-            acceleration_mps2: [0.0; 3],
-        };
-        let vertices_m = vec![[-0.5 * length_m, -1.0, 0.0], [0.5 * length_m, 1.0, 1.5]];
-        Truth {
-            role: Role::Target,
-            position_m: DVec3::from(pose.position_m),
-            outline: GroundOutline::of_mesh(&Mesh { vertices_m, ..Mesh::default() }, &pose),
-            range_m: y_m,
-            velocity_mps: DVec3::ZERO,
-            radial_velocity_mps: 0.0,
-            lane: None,
-            nearest_range_m: None,
-            echo: None,
-            returns_echo: true,
-        }
-    }
 
     fn objects_of(truths: &[Truth], objects: &[Object]) -> Vec<Option<usize>> {
         Pairing::of(truths, objects, &LIMITS).object_of

@@ -5,7 +5,8 @@
 //! detections of clutter count as false. Objects of single frames give the places of reflections, and are
 //! paired with the nearest parts of bodies ([`Pairing`]); tracks give the places of bodies, and the middles
 //! of their boxes are compared with the middles of bodies. Bodies whose echoes were removed as echoes at rest
-//! do not count, nor do objects at rest that belong to nobody and tracks that have no others.
+//! do not count, nor do the tracks that still follow them, nor objects at rest that belong to nobody and
+//! tracks that have no others.
 
 use crate::frame_truth::FrameTruth;
 use crate::metrics::distances::squares_m2;
@@ -70,7 +71,8 @@ pub struct Agreement {
     pub stationary: usize,
     /// Truths whose echoes were removed as echoes at rest, which do not count as missed.
     pub removed: usize,
-    /// Share of found bodies in a lane whose estimate is in the same one.
+    /// Share of found bodies in a lane whose estimate is in the same one; `None` without any, and where the
+    /// array tells no azimuth.
     pub lane_rate: Option<f64>,
 }
 
@@ -127,6 +129,12 @@ fn expected(truth: &FrameTruth) -> impl Iterator<Item = &Truth> {
     truth.pairing.expected.iter().map(|index| &truth.truths[*index])
 }
 
+/// Lanes in which these bodies should be found; none where the array tells no azimuth.
+fn in_lanes(truth: &FrameTruth) -> impl Iterator<Item = Option<u8>> {
+    let tells_azimuth = truth.pairing.limits.resolves_azimuth;
+    expected(truth).map(move |body| body.lane.filter(|_| tells_azimuth))
+}
+
 impl Score {
     /// Adds one frame.
     pub fn add(&mut self, truth: &FrameTruth, objects: &[Object], tracks: &TracksFrame) {
@@ -135,18 +143,22 @@ impl Score {
         let Pairing { squares_m2, gospa: of_objects, stationary, removed, .. } = &truth.pairing;
         self.objects.add(squares_m2.view(), of_objects, GATE_M);
         self.objects.add_excluded(stationary.len(), removed.len());
-        let lanes = of_objects.chosen.iter().zip(expected(truth));
-        self.objects.add_lanes(lanes.filter_map(|(o, body)| Some((body.lane?, objects[(*o)?].lane))));
+        let lanes = of_objects.chosen.iter().zip(in_lanes(truth));
+        self.objects.add_lanes(lanes.filter_map(|(o, lane)| Some((lane?, objects[(*o)?].lane))));
         let squares_m2 = of_tracks(truth, &tracks);
         let pairs = gospa(squares_m2.view(), CUTOFF_M);
-        let is_apart =
-            |t: &usize| !pairs.chosen.contains(&Some(*t)) && truth.pairing.is_stationary(tracks[*t]);
-        let (apart, kept): (Vec<usize>, Vec<usize>) = (0..tracks.len()).partition(is_apart);
-        let pairs = pairs.without(&[], apart.len());
+        let is_free = |t: usize| !pairs.chosen.contains(&Some(t));
+        let follows_removed = |t| truth.pairing.follows_removed(&truth.truths, tracks[t], CUTOFF_M);
+        let is_removed = |t: usize| is_free(t) && follows_removed(t);
+        let is_stationary = |t: usize| is_free(t) && !is_removed(t) && truth.pairing.is_stationary(tracks[t]);
+        let stationary = (0..tracks.len()).filter(|t| is_stationary(*t)).count();
+        let is_counted = |t: &usize| !is_stationary(*t) && !is_removed(*t);
+        let kept: Vec<usize> = (0..tracks.len()).filter(is_counted).collect();
+        let pairs = pairs.without(&[], tracks.len() - kept.len());
         self.tracks.add(squares_m2.select(Axis(1), &kept).view(), &pairs, CUTOFF_M);
-        self.tracks.add_excluded(apart.len(), removed.len());
-        let lanes = pairs.chosen.iter().zip(expected(truth));
-        self.tracks.add_lanes(lanes.filter_map(|(t, body)| Some((body.lane?, tracks[(*t)?].lane))));
+        self.tracks.add_excluded(stationary, removed.len());
+        let lanes = pairs.chosen.iter().zip(in_lanes(truth));
+        self.tracks.add_lanes(lanes.filter_map(|(t, lane)| Some((lane?, tracks[(*t)?].lane))));
         for (track, body) in pairs.chosen.iter().zip(&truth.pairing.expected) {
             if let Some(track) = track {
                 self.identities.pair(truth.number_of(*body), tracks[*track].id);
@@ -210,5 +222,92 @@ impl Sums {
             removed: self.removed,
             lane_rate: mean(self.lanes_right as f64, self.lanes as f64),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pairing::MeasurementLimits;
+    use crate::test_object::{body, object_at};
+    use artifact::tracks::Footprint;
+    use glam::DVec3;
+
+    fn track_at(centre_m: [f64; 2]) -> Track {
+        let footprint = Footprint { centre_m, length_m: 4.0, width_m: 1.8, heading_rad: 0.0 };
+        Track {
+            id: 0,
+            state: TrackState::Coasting,
+            age_frames: 5,
+            missed_frames: 1,
+            position_m: centre_m,
+            velocity_mps: [0.0; 2],
+            covariance: [[0.0; 4]; 4],
+            velocity_resolved: true,
+            lane: None,
+            footprint,
+            objects: vec![],
+        }
+    }
+
+    const LIMITS: MeasurementLimits = MeasurementLimits {
+        position_m: DVec3::ZERO,
+        range_max_m: 100.0,
+        velocity_span_mps: 20.0,
+        velocity_gate_mps: 1.0,
+        resolves_azimuth: true,
+        removed_to_mps: Some(0.25),
+    };
+
+    /// Metrics of one frame of these bodies, objects and tracks.
+    fn scored(
+        limits: &MeasurementLimits,
+        truths: Vec<Truth>,
+        objects: &[Object],
+        tracks: Vec<Track>,
+    ) -> Metrics {
+        let pairing = Pairing::of(&truths, objects, limits);
+        let truth = FrameTruth { truths, pairing, origins: vec![], bodies: vec![] };
+        let mut score = Score::default();
+        score.add(&truth, objects, &TracksFrame { index: 0, time_s: 0.0, tracks });
+        score.metrics()
+    }
+
+    #[test]
+    fn a_track_of_a_body_whose_echoes_were_removed_is_not_false_and_one_elsewhere_is() {
+        let tracks = vec![track_at([2.0, 43.0]), track_at([2.0, 60.0])];
+        let tracks = scored(&LIMITS, vec![body(4.0, [2.0, 42.0])], &[], tracks).tracks;
+        assert_eq!((tracks.false_ones, tracks.removed, tracks.missed), (1, 1, 0));
+    }
+
+    #[test]
+    fn a_track_beside_a_removed_body_is_false_if_it_moves_on_or_has_an_object_of_its_own() {
+        let near = [2.0, 43.0];
+        let false_ones = |track: Track, objects: &[Object]| {
+            let tracks = scored(&LIMITS, vec![body(4.0, [2.0, 42.0])], objects, vec![track]).tracks;
+            assert_eq!(tracks.removed, 1);
+            tracks.false_ones
+        };
+        let moving = |y_mps| Track { velocity_mps: [0.0, y_mps], ..track_at(near) };
+        assert_eq!(false_ones(moving(-0.9), &[]), 0, "the last velocity of a body that brakes");
+        assert_eq!(false_ones(moving(-3.0), &[]), 1);
+        assert_eq!(false_ones(moving(-20.0), &[]), 1, "20 m/s look like rest, and are known not to be");
+        let unresolved = Track { velocity_resolved: false, ..moving(-20.0) };
+        assert_eq!(false_ones(unresolved, &[]), 0, "which of both it is is not known");
+        let elsewhere = [Object { radial_velocity_mps: -3.0, ..object_at([9.0, 43.0]) }];
+        assert_eq!(false_ones(Track { objects: vec![0], ..track_at(near) }, &elsewhere), 1);
+    }
+
+    #[test]
+    fn lanes_are_compared_where_the_array_tells_an_azimuth_and_nowhere_else() {
+        let rates = |resolves_azimuth: bool| {
+            let limits = MeasurementLimits { resolves_azimuth, removed_to_mps: None, ..LIMITS };
+            let truths = vec![Truth { lane: Some(1), ..body(4.0, [0.0, 42.0]) }];
+            let metrics = scored(&limits, truths, &[object_at([0.0, 40.0])], vec![track_at([0.0, 43.0])]);
+            assert_eq!([metrics.objects.found, metrics.tracks.found], [1, 1]);
+            [metrics.objects.lane_rate, metrics.tracks.lane_rate]
+        };
+        assert_eq!(rates(true), [Some(0.0); 2], "they are in no lane");
+        assert_eq!(rates(false), [None; 2]);
     }
 }

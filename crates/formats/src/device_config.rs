@@ -30,12 +30,20 @@ const LIMIT_BYTES: u64 = 16 << 20;
 
 /// Reads the settings of a configuration, for the requested board, else the one that it names.
 pub fn read(file: &Path, board: Option<Board>) -> Result<DeviceSettings, Failure> {
-    let text = bounded::read_text(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
-    let settings = settings(&text, board).map_err(|fault| refused(file, fault))?;
+    let settings = read_unremarked(file, board)?;
     for Remark { line, text } in &settings.remarks {
         progress::note(format!("note: {}:{line}: {text}", file.display()));
     }
     Ok(settings)
+}
+
+/// Reads the configuration as [`read`] does, without noting its remarks.
+///
+/// # Errors
+/// As of [`read`].
+pub fn read_unremarked(file: &Path, board: Option<Board>) -> Result<DeviceSettings, Failure> {
+    let text = bounded::read_text(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
+    settings(&text, board).map_err(|fault| refused(file, fault))
 }
 
 /// Refuses a configuration with which a capture card's file contains more than samples.

@@ -5,6 +5,7 @@ mod detection;
 mod cloud_error;
 pub(crate) mod velodyne;
 pub(crate) mod pcd;
+mod summits; // main lobes
 pub mod import;
 
 pub(crate) use detection::{Detection, PLACE_LIMIT_M};

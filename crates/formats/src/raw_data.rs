@@ -6,14 +6,17 @@
 
 mod lanes; // bytes of a capture card
 mod described_waveform; // waveforms in descriptions
+mod described_unit; // units in descriptions
 pub mod dca1000;
 mod npy;
 mod raddet;
 pub mod arrays;
 pub mod sigmf;
 pub mod uwcr;
+#[cfg(test)]
+pub(crate) mod test_cube;
 
-use artifact::cube::CubeHeader;
+use artifact::cube::{CubeHeader, SampleUnit};
 use artifact::radar::{Multiplexing, Sampling};
 use num_complex::Complex32;
 use pipeline::host::failure::Failure;
@@ -163,13 +166,17 @@ pub struct ImportedFrames {
     pub frames: Vec<Vec<Complex32>>,
     /// Step of integer samples, with its source.
     pub step: IntegerStep,
+    /// Descriptions beside the recording that were found to be of these samples.
+    pub descriptions: Vec<PathBuf>,
 }
 
 /// Value of one step of integer samples, with its source.
 #[derive(Debug, Clone, PartialEq)]
 pub enum IntegerStep {
-    /// Samples are floats in √W.
+    /// Samples are floats, of which no file gives the unit.
     Floats,
+    /// Samples are floats in the unit that this file gives.
+    DescribedFloats(SampleUnit, PathBuf),
     /// √W, given by the command.
     Given(f32),
     /// √W, given by that file.
@@ -195,11 +202,11 @@ impl IntegerStep {
         asked.map_or_else(|| told().unwrap_or(Self::Unknown), Self::Given)
     }
 
-    /// The file with the value, if any.
-    pub fn place(&self) -> Option<&Path> {
+    /// Whether a description beside the recording gives it.
+    pub fn is_described(&self) -> bool {
         match self {
-            Self::Described(_, place) | Self::ConverterSteps { place, .. } => Some(place),
-            Self::Floats | Self::Given(_) | Self::Unscaled | Self::Unknown => None,
+            Self::Described(..) | Self::ConverterSteps { .. } | Self::DescribedFloats(..) => true,
+            Self::Floats | Self::Given(_) | Self::Unscaled | Self::Unknown => false,
         }
     }
 
@@ -207,7 +214,7 @@ impl IntegerStep {
     pub(crate) fn factor(&self) -> f32 {
         match self {
             Self::Given(step) | Self::Described(step, _) | Self::ConverterSteps { step, .. } => *step,
-            Self::Floats | Self::Unscaled | Self::Unknown => 1.0,
+            Self::Floats | Self::DescribedFloats(..) | Self::Unscaled | Self::Unknown => 1.0,
         }
     }
 }

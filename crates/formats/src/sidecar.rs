@@ -26,11 +26,16 @@ pub fn of_table(table: &Path) -> PathBuf {
 
 /// Writes the sidecar of an exported file: its axes, and the file's name in `of`.
 pub(crate) fn write(file: &Path, axes: &Value) -> Result<(), Failure> {
-    let mut told = axes.clone();
+    put(&beside(file), file, &named(file, axes))
+}
+
+/// Values of a sidecar with the name of its file.
+fn named(file: &Path, told: &Value) -> Value {
+    let mut told = told.clone();
     if let Some(map) = told.as_object_mut() {
         map.insert(OF.into(), name(file).into());
     }
-    put(&beside(file), file, &told)
+    told
 }
 
 /// Writes the description of a table, with the same bytes under any name.
@@ -62,6 +67,21 @@ pub(crate) fn remove_outdated(file: &Path) -> std::io::Result<()> {
 /// The description belongs to another file, or cannot be removed.
 pub fn remove_outdated_table(table: &Path) -> std::io::Result<()> {
     remove_description(&of_table(table), table)
+}
+
+/// Replaces the sidecar of a file, immediately before the file is replaced, by one with these values alone:
+/// if the command ends before it writes the new one, `has_own` still finds them.
+pub(crate) fn leave_only(file: &Path, told: &Value) -> std::io::Result<()> {
+    refuse_foreign(&beside(file), file).map_err(std::io::Error::other)?;
+    let text = named(file, told).to_string();
+    files::overwrite(&beside(file), text.as_bytes()).map_err(std::io::Error::other)
+}
+
+/// Whether a file has a sidecar that names it and has a value of this key.
+pub(crate) fn has_own(file: &Path, key: &str) -> bool {
+    let place = beside(file);
+    let told = text_of(|| std::fs::File::open(&place), &place);
+    told.is_some_and(|told| told[OF] == name(file) && told.get(key).is_some())
 }
 
 fn remove_description(place: &Path, file: &Path) -> std::io::Result<()> {

@@ -13,6 +13,7 @@ mod shard_version;
 mod shard;
 pub(crate) mod scene_line;
 pub(crate) mod lines;
+pub(crate) mod own_artifact;
 mod resumption;
 mod summary;
 mod cost;
@@ -68,7 +69,7 @@ pub fn run(settings: &DatasetSettings) -> Result<(), Failure> {
     }
     files::claim(&summary::files_of(&settings.out))?;
     summary::refuse_foreign(&settings.out)?;
-    let conclude = || summary::conclude(&layout, &settings.out, settings.tell);
+    let conclude = || summary::conclude(&recipe, &layout, &settings.out, settings.tell);
     let Task::Make { shard: [number, of] } = settings.task else {
         let lacking = summary::lacking(&recipe, &layout, usize::MAX)?;
         lacking.first().map_or(Ok(()), |first| Err(unfinished(first, lacking.len(), &layout)))?;
@@ -84,8 +85,9 @@ pub fn run(settings: &DatasetSettings) -> Result<(), Failure> {
     }
 }
 
-/// Makes the missing shards.
+/// Makes the missing shards; refused if one would replace a file of another origin.
 fn make(recipe: &Recipe, shards: Vec<PlannedShard>, memory: Allowance) -> Result<(), Failure> {
+    shards.iter().try_for_each(resumption::refuse_foreign)?;
     let work = Work::begin("dataset");
     let scenes = |shard: &PlannedShard| shard.scenes.end - shard.scenes.start;
     let total = shards.iter().map(scenes).sum::<u64>() as usize;

@@ -21,7 +21,7 @@ use std::path::{Path, PathBuf};
 
 /// Number of samples that are classified at once.
 const BATCH: usize = 256;
-/// Lower limit of probabilities in the logarithm.
+/// Lower limit of a frame's probabilities in the logarithm, which keeps its log loss finite.
 const LEAST_PROBABILITY: f32 = 1e-6;
 
 /// Settings of an evaluation.

@@ -29,10 +29,19 @@ impl Axis {
     /// Round numbers inside, about one every 70 pixels.
     pub fn ticks(&self) -> Vec<f64> {
         let (low, high) = (self.from.min(self.to), self.from.max(self.to));
-        let step = round_step((high - low) * 70.0 / (self.end_px - self.start_px).abs());
+        let step = self.step();
         let first = (low / step).ceil() as i64;
         let last = (high / step).floor() as i64;
         (first..=last).take(100).map(|i| i as f64 * step).collect()
+    }
+
+    /// [`Axis::ticks`] with their numbers in words.
+    pub fn numbered(&self) -> Vec<Tick> {
+        self.ticks().into_iter().map(|value| (value, tick_text(value, self.step()))).collect()
+    }
+
+    fn step(&self) -> f64 {
+        round_step((self.to - self.from).abs() * 70.0 / (self.end_px - self.start_px).abs())
     }
 }
 
@@ -55,7 +64,13 @@ pub struct Axes {
 impl Axes {
     /// Frame, ticks, numbers and labels.
     pub fn draw(&self, sheet: &mut Svg, x_label: &str, y_label: &str) {
-        self.draw_with_ticks(sheet, [x_label, y_label], [&numbered(&self.x), &numbered(&self.y)]);
+        self.draw_with_ticks(sheet, [x_label, y_label], [&self.x.numbered(), &self.y.numbered()]);
+    }
+
+    /// The axes with as much more room on their left as these ticks of the vertical one take with its label.
+    pub fn with_room_beside(self, y_ticks: &[Tick]) -> Self {
+        let start_px = self.x.start_px.max(room_beside_px(y_ticks));
+        Self { x: Axis { start_px, ..self.x }, ..self }
     }
 
     /// Draws as [`Axes::draw`] does, with other ticks, [x, y].
@@ -76,37 +91,106 @@ impl Axes {
         for (number, line) in wrap_text(labels[0], right - left).iter().enumerate() {
             sheet.text([0.5 * (left + right), bottom + 35.0 + 16.0 * number as f64], "middle", line);
         }
-        let widest_px = ticks[1].iter().map(|(_, text)| text_width_px(text)).fold(0.0, f64::max);
-        sheet.vertical_text([label_px(left, widest_px), 0.5 * (top + bottom)], labels[1]);
+        sheet.vertical_text([label_px(left, widest_px(ticks[1])), 0.5 * (top + bottom)], labels[1]);
     }
+}
+
+/// Least foot of the words beside a vertical axis: their letters reach up to the edge of the sheet.
+const LABEL_PX: f64 = 12.0;
+/// Distances of numbers from their axis, and of words from the numbers.
+const NUMBERS_PX: f64 = 7.0;
+const WORDS_PX: f64 = 6.0;
+
+/// Least distance of a vertical axis from the left edge of the sheet, for the numbers of its ticks and its
+/// label.
+pub(crate) fn room_beside_px(ticks: &[Tick]) -> f64 {
+    LABEL_PX + WORDS_PX + widest_px(ticks) + NUMBERS_PX
 }
 
 /// Foot of the words beside a vertical axis: left of its numbers, as far as the sheet allows.
 fn label_px(axis_px: f64, numbers_px: f64) -> f64 {
-    (axis_px - 40.0).min(axis_px - 7.0 - numbers_px - 6.0).max(12.0)
+    (axis_px - 40.0).min(axis_px - NUMBERS_PX - numbers_px - WORDS_PX).max(LABEL_PX)
+}
+
+fn widest_px(ticks: &[Tick]) -> f64 {
+    ticks.iter().map(|(_, text)| text_width_px(text)).fold(0.0, f64::max)
 }
 
 /// A place on an axis and what is written there; a minor tick has no words.
 pub type Tick = (f64, String);
 
-fn numbered(axis: &Axis) -> Vec<Tick> {
-    axis.ticks().into_iter().map(|value| (value, tick_text(value))).collect()
-}
-
 fn tick_px(text: &str) -> f64 {
     if text.is_empty() { 2.5 } else { 4.0 }
 }
 
-/// A number without digits that say nothing.
-pub fn tick_text(value: f64) -> String {
-    let text = format!("{value:.3}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
+/// Most digits behind the point of numbers below a hundredth, and least number with a power of ten.
+const MOST_DIGITS: usize = 6;
+const LARGE: f64 = 1e9;
+
+/// A number beside others that differ from it by `step`, or more than thousandths, without digits that say
+/// nothing; very small and very large ones by a power of ten.
+pub fn tick_text(value: f64, step: f64) -> String {
+    let (size, digits) = (value.abs(), (-decimal_power(step)).clamp(3, 17) as usize);
+    let is_small = digits > MOST_DIGITS && (0.5 * step..0.01).contains(&size);
+    let text = match is_small || size >= LARGE {
+        true => with_power(value, decimal_power(size) - decimal_power(step)),
+        false => trimmed(&format!("{value:.digits$}")).to_owned(),
+    };
     if text == "-0" { "0".into() } else { text.replace('-', "−") }
+}
+
+/// A number with a power of ten and at most so many digits behind its point.
+fn with_power(value: f64, digits: i32) -> String {
+    let text = format!("{value:.digits$e}", digits = digits.clamp(0, 17) as usize);
+    let (number, power) = text.split_once('e').unwrap_or((&text, "0"));
+    format!("{}e{power}", trimmed(number))
+}
+
+/// Power of ten of the first digit of a number above zero.
+fn decimal_power(number: f64) -> i32 {
+    (number.max(f64::MIN_POSITIVE).log10() + 1e-9).floor() as i32
+}
+
+/// A number in words without zeros at its end, of which it has some digits behind a point or no point.
+fn trimmed(number: &str) -> &str {
+    match number.contains('.') {
+        true => number.trim_end_matches('0').trim_end_matches('.'),
+        false => number,
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn numbers_of_an_axis_differ_however_small_or_large_its_steps_are() {
+        for step in [1e-12, 2e-9, 5e-7, 1e-5, 2e-4, 0.001, 0.05, 2.0, 500.0, 1e6, 5e9, 1e15] {
+            for from in [0.0, -3.0 * step, 40.0 * step] {
+                let axis = Axis { from, to: from + 6.2 * step, start_px: 434.0, end_px: 0.0 };
+                let texts: Vec<String> = axis.numbered().into_iter().map(|(_, text)| text).collect();
+                let all: std::collections::BTreeSet<&String> = texts.iter().collect();
+                assert!(all.len() == texts.len() && texts.len() > 5, "{step:e}: {texts:?}");
+                assert!(texts.iter().all(|text| text.chars().count() < 12), "{step:e}: {texts:?}");
+            }
+        }
+        let texts = [(2e-4, 2e-4), (-1.2e-8, 2e-9), (0.0, 2e-9), (2.5e9, 5e8), (1.0, 1e-4), (8e5, 1e5)];
+        let texts = texts.map(|(value, step)| tick_text(value, step));
+        assert_eq!(texts, ["0.0002", "−1.2e−8", "0", "2.5e9", "1", "800000"]);
+    }
+
+    #[test]
+    fn an_axis_has_as_much_room_as_its_numbers_and_its_label_take_and_no_more() {
+        let axes = |to: f64| Axes {
+            x: Axis { from: 0.0, to: 1.0, start_px: 54.0, end_px: 342.0 },
+            y: Axis { from: 0.0, to, start_px: 320.0, end_px: 0.0 },
+        };
+        let start_px = |axes: Axes| axes.with_room_beside(&axes.y.numbered()).x.start_px;
+        assert_eq!(start_px(axes(1000.0)), 54.0);
+        let wide = axes(0.0009);
+        let numbers_px = text_width_px("0.0008");
+        assert!(label_px(start_px(wide), numbers_px) + numbers_px + 12.0 <= start_px(wide));
+    }
 
     #[test]
     fn words_beside_an_axis_leave_room_for_long_numbers() {
@@ -120,6 +204,7 @@ mod tests {
         let axis = Axis { from: -16.2, to: 16.2, start_px: 500.0, end_px: 0.0 };
         assert_eq!(axis.ticks(), [-15.0, -10.0, -5.0, 0.0, 5.0, 10.0, 15.0]);
         assert_eq!((axis.to_px(-16.2), axis.to_px(16.2)), (500.0, 0.0));
-        assert_eq!([tick_text(-0.25), tick_text(3.0), tick_text(-0.0)], ["−0.25", "3", "0"]);
+        let texts = [-0.25, 3.0, -0.0].map(|value| tick_text(value, 0.05));
+        assert_eq!(texts, ["−0.25", "3", "0"]);
     }
 }

@@ -1,6 +1,6 @@
 //! Numbers over a plane as colours.
 
-use crate::axes::{Axes, Axis};
+use crate::axes::{Axes, Axis, room_beside_px};
 use crate::colours::inferno;
 use crate::error::PlottingError;
 use crate::layout::Layout;
@@ -36,23 +36,25 @@ impl HeatMap {
     /// Draws the map as high as wide: a metre is as long across as up.
     pub fn draw_square(&self) -> Result<Svg, PlottingError> {
         const SIDE: f64 = 420.0;
-        let mut sheet = Svg::new(self.title.clone(), SIDE + 130.0, 0.0);
+        let up = |top: f64| Axis { from: self.y.1[0], to: self.y.1[1], start_px: top + SIDE, end_px: top };
+        let left = room_beside_px(&up(0.0).numbered()).max(60.0);
+        let mut sheet = Svg::new(self.title.clone(), left + SIDE + 70.0, 0.0);
         let top = draw_title(&mut sheet, &self.title, &self.notes);
         let axes = Axes {
-            x: Axis { from: self.x.1[0], to: self.x.1[1], start_px: 60.0, end_px: 60.0 + SIDE },
-            y: Axis { from: self.y.1[0], to: self.y.1[1], start_px: top + SIDE, end_px: top },
+            x: Axis { from: self.x.1[0], to: self.x.1[1], start_px: left, end_px: left + SIDE },
+            y: up(top),
         };
         let brightest =
             self.levels_db.iter().copied().filter(|l| l.is_finite()).fold(f64::NEG_INFINITY, f64::max);
         let brightest = if brightest.is_finite() { brightest } else { 0.0 };
         let levels = [brightest - self.span_db, brightest];
-        sheet.image([60.0, top], [SIDE, SIDE], &heat_png(&self.levels_db, levels)?);
+        sheet.image([left, top], [SIDE, SIDE], &heat_png(&self.levels_db, levels)?);
         if let Some(png) = &self.overlay {
-            sheet.image([60.0, top], [SIDE, SIDE], png);
+            sheet.image([left, top], [SIDE, SIDE], png);
         }
         axes.draw(&mut sheet, &self.x.0, &self.y.0);
         scale_bar(&mut sheet, &axes, levels, &self.unit);
-        self.legend.draw(&mut sheet, top + SIDE + 74.0, [50.0, SIDE + 120.0]);
+        self.legend.draw(&mut sheet, top + SIDE + 74.0, [50.0, left + SIDE + 60.0]);
         Ok(sheet)
     }
 }

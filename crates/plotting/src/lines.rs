@@ -62,7 +62,9 @@ impl LinePlot {
             x: Axis { from: x.0, to: x.1, start_px: left, end_px: right },
             y: Axis { from: y.0, to: y.1, start_px: top + HEIGHT_PX, end_px: top },
         };
-        let (x_ticks, y_ticks) = (ticks(self.x_scale, &axes.x), ticks(self.y_scale, &axes.y));
+        let y_ticks = ticks(self.y_scale, &axes.y);
+        let axes = axes.with_room_beside(&y_ticks);
+        let x_ticks = ticks(self.x_scale, &axes.x);
         axes.draw_with_ticks(&mut sheet, [&self.x_label, &self.y_label], [&x_ticks, &y_ticks]);
         let mut legend = Legend::default();
         for (n, (line, points)) in self.lines.iter().zip(&lines).enumerate() {
@@ -109,7 +111,7 @@ fn number(scale: Scale, value: f64) -> f64 {
 
 fn ticks(scale: Scale, axis: &Axis) -> Vec<Tick> {
     match scale {
-        Scale::Linear => axis.ticks().into_iter().map(|value| (value, tick_text(value))).collect(),
+        Scale::Linear => axis.numbered(),
         Scale::Logarithmic => powers(axis),
     }
 }
@@ -134,7 +136,7 @@ fn powers(axis: &Axis) -> Vec<Tick> {
 
 fn power_text(power: i32, multiple: i32) -> String {
     if (-3..5).contains(&power) {
-        tick_text(f64::from(multiple) * 10.0_f64.powi(power))
+        tick_text(f64::from(multiple) * 10.0_f64.powi(power), 10.0_f64.powi(power))
     } else {
         format!("{multiple}e{power}").replace('-', "−")
     }

@@ -38,9 +38,13 @@ pub fn noise_bandwidth_bins(taper: &[f64]) -> f64 {
     taper.len() as f64 * energy / (sum * sum)
 }
 
-/// Power response of a cell to a tone `offset_bins` from its centre, 1 at the centre.
-pub fn response(taper: &[f64], offset_bins: f64) -> f64 {
-    transform(taper, offset_bins).norm_sqr() / (taper.len() as f64).powi(2)
+/// Cells over which the noise power of one cell is spread by a window, Σ|ρ|² over all lags of the complex
+/// correlation ρ: N·Σw⁴/(Σw²)² by Parseval. The mean power of n neighbouring cells varies like that of n over
+/// this number of independent ones.
+pub fn correlated_bins(taper: &[f64]) -> f64 {
+    let energy: f64 = taper.iter().map(|w| w * w).sum();
+    let fourth: f64 = taper.iter().map(|w| w.powi(4)).sum();
+    taper.len() as f64 * fourth / (energy * energy)
 }
 
 /// W(δ) = Σ wₙ e^{j2πδn/N}: response of a cell to a tone δ cells above its centre.
@@ -49,12 +53,25 @@ pub fn transform(taper: &[f64], offset_bins: f64) -> Complex64 {
     taper.iter().enumerate().map(|(n, w)| Complex64::from_polar(*w, step * n as f64)).sum()
 }
 
+/// W(δ) of [`transform`] at δ = 0, 1/n, 2/n … cells over the whole axis, for n steps per cell.
+pub fn fine_transform(taper: &[f64], steps_per_bin: usize) -> Vec<Complex64> {
+    let mut values: Vec<Complex64> = taper.iter().map(|w| (*w).into()).collect();
+    values.resize(taper.len() * steps_per_bin, Complex64::ZERO);
+    FftPlanner::new().plan_fft_inverse(values.len()).process(&mut values);
+    values
+}
+
 /// Noise correlation |ρ|² between two cells `lag_bins` apart, which for white samples is that of the squared
 /// window.
 pub fn noise_correlation(taper: &[f64], lag_bins: f64) -> f64 {
     let squared: Vec<f64> = taper.iter().map(|w| w * w).collect();
     let energy: f64 = squared.iter().sum();
     response(&squared, lag_bins) * (taper.len() as f64 / energy).powi(2)
+}
+
+/// Power response of a cell to a tone `offset_bins` from its centre, 1 at the centre.
+fn response(taper: &[f64], offset_bins: f64) -> f64 {
+    transform(taper, offset_bins).norm_sqr() / (taper.len() as f64).powi(2)
 }
 
 /// Σ (−1)^k a_k cos(2πkn/N).
@@ -67,23 +84,29 @@ fn cosine_sum(coefficients: &[f64], length: usize) -> Vec<f64> {
     (0..length).map(weight).collect()
 }
 
-/// Dolph (Proc. IRE 34 (1946) 335): the symmetric window of N + 1 points whose spectrum is the Chebyshev
-/// polynomial of degree N, without its last point (that makes it periodic).
+/// Dolph (Proc. IRE 34 (1946) 335): after a zero, the symmetric window of N − 1 points whose spectrum is the
+/// Chebyshev polynomial of degree N − 2.
+///
+/// The zero makes it periodic, as that of Hann's window does, and has no effect on its sidelobes, which are
+/// all at the requested level. The symmetric window of N + 1 points without its last would miss the level by
+/// that point: 4 dB of 80 at N = 256, 6 dB at 64.
 fn dolph_chebyshev(sidelobe_db: f64, length: usize) -> Result<Vec<f64>, Sidelobes> {
     if !(10.0..=300.0).contains(&sidelobe_db) {
         return Err(Sidelobes(sidelobe_db));
     }
-    let points = length + 1;
-    let degree = length as f64;
+    let Some(points) = length.checked_sub(1).filter(|points| *points > 1) else {
+        return Ok(vec![1.0; length]);
+    };
+    let degree = (points - 1) as f64;
     let stretch = (amplitude_from_db(sidelobe_db).acosh() / degree).cosh();
     let spectrum = |k: usize| {
         let angle = PI * k as f64 / points as f64;
-        // The second factor puts the middle of the window at point N/2.
+        // The first factor puts the middle of the points at their index degree/2.
         Complex64::from_polar(1.0, angle * degree) * chebyshev(degree, stretch * angle.cos())
     };
     let mut weights: Vec<Complex64> = (0..points).map(spectrum).collect();
     FftPlanner::new().plan_fft_forward(points).process(&mut weights);
-    Ok(weights[..length].iter().map(|w| w.re).collect())
+    Ok(std::iter::once(0.0).chain(weights.iter().map(|w| w.re)).collect())
 }
 
 /// T_n(x) of integer degree n.
@@ -116,6 +139,18 @@ mod tests {
             }
         }
         assert!((noise_bandwidth_bins(&taper(Window::Hamming, 256).unwrap()) - 1.363).abs() < 5e-4);
+    }
+
+    #[test]
+    fn correlated_cells_are_the_sum_of_squared_correlations() {
+        for window in ALL {
+            let taper = taper(window, 96).unwrap();
+            let of_lags: f64 = (0..96).map(|lag| noise_correlation(&taper, f64::from(lag))).sum();
+            let got = correlated_bins(&taper);
+            assert!((got - of_lags).abs() < 1e-12 * got, "{window:?}: {got} against {of_lags}");
+        }
+        let hann = correlated_bins(&taper(Window::Hann, 96).unwrap());
+        assert!((hann - 35.0 / 18.0).abs() < 1e-12, "Σcos⁸ over (Σcos⁴)²: {hann}");
     }
 
     #[test]
@@ -162,18 +197,32 @@ mod tests {
         }
     }
 
+    /// Highest level beyond the main lobe, dB below the peak.
+    fn highest_sidelobe_db(taper: &[f64]) -> f64 {
+        let fine = fine_transform(taper, 64);
+        let level = |value: &Complex64| 20.0 * (value.norm() / fine[0].norm()).log10();
+        let half = &fine[..fine.len() / 2];
+        let null = half.windows(2).position(|pair| pair[1].norm() > pair[0].norm()).unwrap();
+        half[null..].iter().map(level).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// The window as maps use it, at all places between cells.
     #[test]
     fn a_chebyshev_window_keeps_its_sidelobes_down_by_what_is_asked() {
-        let (length, padded) = (64, 64 * 32);
-        let mut spectrum: Vec<Complex64> =
-            taper(Window::Chebyshev(80.0), length).unwrap().iter().map(|&w| w.into()).collect();
-        spectrum.push(spectrum[0]); // the point that makes it symmetric again
-        spectrum.resize(padded, Complex64::ZERO);
-        FftPlanner::new().plan_fft_forward(padded).process(&mut spectrum);
-        let level = |k: usize| 20.0 * (spectrum[k].norm() / spectrum[0].norm()).log10();
-        // The main lobe ends where T's argument falls to 1: cell (M+1)/π·acos(1/β) = 3.87 here, 124 of the
-        // padded grid.
-        let highest = (126..padded / 2).map(level).fold(f64::NEG_INFINITY, f64::max);
-        assert!((highest + 80.0).abs() < 0.05, "{highest}");
+        for length in [16, 64, 101, 256] {
+            for asked_db in [20.0, 30.0, 40.0, 60.0, 80.0, 120.0] {
+                let got_db = highest_sidelobe_db(&taper(Window::Chebyshev(asked_db), length).unwrap());
+                // Steps of 1/64 cell miss the maximum of a lobe of one cell by (π/128)²/2, 3e-4 of it.
+                assert!((got_db + asked_db).abs() < 0.02, "{length} points, {asked_db} dB: {got_db}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_fine_transform_is_the_transform_at_each_of_its_steps() {
+        let weights = taper(Window::Hamming, 13).unwrap();
+        for (step, value) in fine_transform(&weights, 8).into_iter().enumerate() {
+            assert!((value - transform(&weights, step as f64 / 8.0)).norm() < 1e-12, "{step}");
+        }
     }
 }

@@ -42,7 +42,8 @@ fn of_radar(radar: &RadarEntry) -> String {
 pub fn lines(summary: &Summary) -> Vec<String> {
     let frames = &summary.frames[..];
     if frames.len() <= FRAMES_IN_FULL {
-        let in_full = frames.iter().enumerate().flat_map(|(number, frame)| in_full(number, frame));
+        let lanes = LaneColumn::of(summary);
+        let in_full = frames.iter().enumerate().flat_map(|(number, frame)| in_full(number, frame, lanes));
         return in_full.chain(of_clutter(summary)).chain(of_what_lacks(summary)).collect();
     }
     let mut lines: Vec<String> =
@@ -187,7 +188,7 @@ fn worst_error(frames: &[FrameSummary]) -> Vec<String> {
     lines
 }
 
-fn in_full(number: usize, frame: &FrameSummary) -> Vec<String> {
+fn in_full(number: usize, frame: &FrameSummary, lanes: LaneColumn) -> Vec<String> {
     let (time_s, points) = (frame.time_s, frame.points);
     let mut lines = vec![format!(
         "frame {number}, {time_s:.3} s: {}; {points} points",
@@ -196,7 +197,7 @@ fn in_full(number: usize, frame: &FrameSummary) -> Vec<String> {
     lines
         .extend(verdict::lines(&frame.accuracy, &frame.error_db).into_iter().map(|line| format!("  {line}")));
     lines.extend(left_out(frame).into_iter().chain(drawn(frame)).chain(outweighing(frame)));
-    lines.extend(targets(&frame.targets));
+    lines.extend(targets(&frame.targets, lanes));
     lines.extend(false_objects(&frame.false_objects));
     lines.extend(standing(&frame.stationary_objects));
     lines
@@ -242,8 +243,8 @@ fn left_out(frame: &FrameSummary) -> Option<String> {
 
 /// Line about the echo that is drawn at random; `None` if none is.
 fn drawn(frame: &FrameSummary) -> Option<String> {
-    let of_meshes_db = frame.model_error_db.small_parts?;
-    Some(format!("  small parts drawn at random: {} of the meshes' echo", decibels(of_meshes_db)))
+    let level_db = frame.model_error_db.small_parts?;
+    Some(format!("  small parts drawn at random: {} of the echo without them", decibels(level_db)))
 }
 
 /// Sentences about parts of the physics that the scene leaves out although they outweigh the computed echo,
@@ -274,14 +275,14 @@ pub fn shading_left_out(frame: &FrameSummary) -> bool {
 }
 
 /// A table with one row per target.
-fn targets(targets: &[TargetSummary]) -> Vec<String> {
+fn targets(targets: &[TargetSummary], lanes: LaneColumn) -> Vec<String> {
     let Some(longest) = targets.iter().map(|target| target.id.chars().count()).max() else { return vec![] };
     let width = longest.max(6);
     let head = format!("  {:<width$}   range   error    velocity   error     SNR  lane  predicted", "target");
-    std::iter::once(head).chain(targets.iter().map(|target| target_row(target, width))).collect()
+    std::iter::once(head).chain(targets.iter().map(|target| target_row(target, width, lanes))).collect()
 }
 
-fn target_row(target: &TargetSummary, width: usize) -> String {
+fn target_row(target: &TargetSummary, width: usize, lanes: LaneColumn) -> String {
     let (id, truth) = (&target.id, &target.truth);
     let Some(estimate) = &target.estimate else {
         let why = match (target.found, target.removed) {
@@ -296,7 +297,7 @@ fn target_row(target: &TargetSummary, width: usize) -> String {
     let velocity_error = signed(velocity - truth.compared_radial_velocity_mps(), 6);
     let velocity = signed(velocity, 7);
     let numbers = format!("{range:6.2} m  {range_error} {velocity} m/s  {velocity_error} {snr:4.0} dB");
-    let lane = lane(estimate.lane, truth.lane);
+    let lane = lanes.text(estimate.lane, truth.lane);
     let (numbers, class) = (numbers.replace('-', "−"), class(target));
     let aliasing = if target.velocity_aliased { "; velocity aliased in the map" } else { "" };
     format!("  {id:<width$} {numbers}  {lane:<4}  {class}{aliasing}")
@@ -308,9 +309,22 @@ fn signed(value: f64, width: usize) -> String {
     format!("{value:+width$.2}")
 }
 
-fn lane(got: Option<u8>, asked: Option<u8>) -> String {
-    let [got, asked] = [got, asked].map(|lane| lane.map_or("–".into(), |lane| lane.to_string()));
-    if got == asked { got } else { format!("{got}≠{asked}") }
+/// Column of lanes: compared with the truth where the array tells an azimuth.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum LaneColumn {
+    Compared,
+    Unknown,
+}
+
+impl LaneColumn {
+    fn of(summary: &Summary) -> Self {
+        if summary.radar.tells_azimuth { Self::Compared } else { Self::Unknown }
+    }
+
+    fn text(self, got: Option<u8>, asked: Option<u8>) -> String {
+        let [got, asked] = [got, asked].map(|lane| lane.map_or("–".into(), |lane| lane.to_string()));
+        if got == asked || self == Self::Unknown { got } else { format!("{got}≠{asked}") }
+    }
 }
 
 /// Class of the target: that of its track if there is one, otherwise that of this frame.
@@ -333,4 +347,17 @@ fn false_object(object: &FalseObject) -> String {
     let text =
         format!("  false object at {range_m:.2} m ({x_m:.1}, {y_m:.1}), {velocity} m/s, {snr_db:.0} dB: ");
     text.replace('-', "−") + &object.cause_in_words()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_lane_is_compared_with_the_true_one_where_the_array_tells_an_azimuth_alone() {
+        let compared = |got, asked| LaneColumn::Compared.text(got, asked);
+        assert_eq!([compared(Some(2), Some(2)), compared(None, None)], ["2", "–"]);
+        assert_eq!([compared(Some(1), Some(2)), compared(None, Some(1))], ["1≠2", "–≠1"]);
+        assert_eq!(LaneColumn::Unknown.text(None, Some(1)), "–");
+    }
 }

@@ -66,7 +66,7 @@ pub use bodies::{ColouredLine, ColouredMesh, coloured_glb, street, vehicles};
 pub use document::changes::Change;
 pub use document::errors::{MapAxis, Place, Position, Rule, SceneError, SceneErrors};
 pub use document::keys;
-pub use document::keys::fidelity::Planning;
+pub use document::keys::fidelity::{LEAST_ACCURACY_DB, Planning};
 pub use document::toml_text;
 pub use materials::read_materials;
 pub use measured::calibration::{CalibrationFileError, CalibrationRule};

@@ -5,6 +5,7 @@ mod material_files;
 use crate::document::diagnostics::Diagnostics;
 use crate::document::entries::{layers, materials};
 use crate::document::errors::{Rule, SceneErrors};
+use crate::document::keys::MATERIAL_FILE_TABLES;
 use crate::document::keys::fidelity::{MATERIALS, TRANSMISSION};
 use crate::document::keys::materials::{
     BACKING, BACKSCATTER, COHERENT, GAMMA, Ground, LAYERS, MIRROR, Mirror, OPENMATERIAL, PERMITTIVITY,
@@ -40,7 +41,7 @@ pub fn read_materials(path: &Path, frequency_hz: f64) -> Result<MaterialMap, Sce
 
 fn of_file(path: &Path, files: &MaterialFiles) -> Result<Vec<(String, Material)>, SceneErrors> {
     let text = read_text(path).map_err(|rule| without_position(path, rule))?;
-    let diagnostics = Diagnostics::new(path, &text);
+    let diagnostics = Diagnostics::of_tables(path, &text, MATERIAL_FILE_TABLES);
     let document = diagnostics.document();
     let root = Section::root(&document, &MATERIAL_FILE, &diagnostics);
     root.require(MATERIALS_KEY.name);

@@ -158,7 +158,10 @@ fn stl_and_obj_cases() -> Vec<Case> {
         ("word.stl", b"solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 zero\n".to_vec(), ":4: ", "expected a number, found `zero`"),
         ("half.stl", b"solid s\nfacet\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0.0".to_vec(), ": ", "is cut off: it ends without `endsolid`"),
         ("line.stl", b"solid s\nfacte normal 0 0 1\n".to_vec(), ":2: ", "expected a line of STL"),
-        ("two.stl", b"solid s\nfacet\nvertex 0 0 0\nvertex 1 0 0\nendfacet\n".to_vec(), ":5: ", "2 corners are no whole triangles"),
+        ("two.stl", b"solid s\nfacet\nvertex 0 0 0\nvertex 1 0 0\nendfacet\n".to_vec(), ":5: ", "a facet of 2 vertices is no triangle"),
+        ("six.stl", text_stl(6), ":9: ", "a facet of 6 vertices is no triangle"),
+        ("nine.stl", text_stl(9), ":12: ", "a facet of 9 vertices is no triangle"),
+        ("bare.stl", text_stl(0), ":3: ", "a facet of 0 vertices is no triangle"),
         ("nothing.stl", b"solid s\nendsolid s\n".to_vec(), ": ", "has no triangle with area"),
         ("latin.stl", b"solid \xe9\n".to_vec(), ": ", "is not UTF-8 text"),
         // OBJ.
@@ -172,10 +175,18 @@ fn stl_and_obj_cases() -> Vec<Case> {
         ("polygon.obj", obj(&format!("f{}\n", " 1 2 3".repeat(1366))), ":5: ", "is a polygon of 4098 corners; at most 4096"),
         ("word.obj", obj("f 1 two 3\n"), ":5: ", "expected an index, found `two`"),
         ("curve.obj", obj("cstype bezier\n"), ":5: ", "expected a polygonal OBJ statement"),
-        ("nan.obj", obj("v nan 0 0\nf 1 2 5\n"), ": ", "vertex 2 is not finite"),
+        ("nan.obj", obj("v nan 0 0\nf 1 2 5\n"), ":5: ", "vertex 5 is not finite"),
+        ("infinite.obj", obj("v 1 2 3\nv 1e999 0 \\\n0\n\nf 1 2 6\n"), ":6: ", "vertex 6 is not finite"),
+        ("nan normal.obj", obj("vn 0 0 1\nvn 0 nan 1\nf 1//1 2//2 3//1\n"), ":6: ", "normal 2 is not finite"),
         ("flat.obj", obj("v 2 0 0\nf 1 2 5\n"), ": ", "has no triangle with area (1 without)"),
         ("model.fbx", vec![], ": ", "is not a .glb, .gltf, .stl, .obj or .xoma file by its name"),
     ]
+}
+
+/// STL as text, of a facet with so many vertices.
+fn text_stl(vertices: usize) -> Vec<u8> {
+    let vertices: String = (0..vertices).map(|i| format!("vertex {i} {} 0\n", i * i)).collect();
+    format!("solid s\nfacet\n{vertices}endfacet\nendsolid s\n").into_bytes()
 }
 
 #[test]
@@ -360,11 +371,14 @@ fn sound_files() -> Vec<GlbFile> {
     let mut sparse = plain.clone();
     let indices = sparse.add_accessor(vec![1, 3], 2, 5121, "SCALAR");
     let values = sparse.add_accessor(floats(&[[4.0, 0.0, 0.0], [0.0, 0.0, 4.0]]), 2, 5126, "VEC3");
-    let sparse = sparse.set(
-        "/accessors/0/sparse",
-        json!({ "count": 2,
-        "indices": { "bufferView": indices, "componentType": 5121 }, "values": { "bufferView": values } }),
-    );
+    let corner = sparse.add_accessor(vec![3, 0], 1, 5123, "SCALAR");
+    let replaced = |count: u64, values: usize| {
+        json!({ "count": count,
+        "indices": { "bufferView": indices, "componentType": 5121 }, "values": { "bufferView": values } })
+    };
+    let sparse = sparse
+        .set("/accessors/0/sparse", replaced(2, values))
+        .set("/accessors/2/sparse", replaced(1, corner));
     let mut strip = plain.clone();
     let corners = [0_u32, 1, 2, 3].iter().flat_map(|i| i.to_le_bytes()).collect();
     let corners = strip.add_accessor(corners, 4, 5125, "SCALAR");

@@ -35,6 +35,18 @@ const CASES: &[Case] = &[
     (NAME, "[dsp]\ntraining_cell = [1, 1]\n", "3:1", "nearest is `training_cells`"),
     (POINT, "  velocty_mps = [0, 0, 0]\n", "7:3", "target `p`: unknown key `velocty_mps`; the nearest is `velocity_mps`"),
     (NAME, "[noise]\nxyzzy = 1\nnoise_figure_db = 3\n", "3:1", "[noise]: unknown key `xyzzy`"),
+    // Keys of other tables: the likeliest first, of those that take such a value.
+    (NAME, "lane_width_m = 3\n", "2:1", "unknown key `lane_width_m` here; it belongs into [intersection] or [radar.intersection]"),
+    (NAME, "[radar]\nlane_centres_m = [2]\n", "3:1", "[radar]: unknown key `lane_centres_m` here; it belongs into [intersection] or [radar.intersection]"),
+    (POINT, "materials = \"van.materials.toml\"\n", "7:1", "target `p`: unknown key `materials` here; it belongs into [fidelity]"),
+    (NAME, "[dsp]\nmaterials = { a = { substance = \"metal\" } }\n", "3:1", "[dsp]: unknown key `materials` here; it belongs into the beginning of the file"),
+    (NAME, "[dsp]\nmaterials = 3\n", "3:1", "it belongs into the beginning of the file or [fidelity]"),
+    (NAME, "[dsp]\nmodel = \"car-suv\"\n", "3:1", "it belongs into [[target]], [[clutter]] or models of [traffic]"),
+    (NAME, "[dsp]\nmodel = [\"car-suv\"]\n", "3:1", "it belongs into models of [traffic]"),
+    (NAME, "[dsp]\nid = \"a\"\n", "3:1", "it belongs into [[target]], [[radars]] or [[clutter]]"),
+    (NAME, "[dsp]\nlabel = \"a\"\n", "3:1", "the nearest is `class` of [[target]]"),
+    (NAME, "[road]\nvelocity_mps = [0, 1, 0]\n", "3:1", "[road]: unknown key `velocity_mps` here; it belongs into [[target]] or [[radar.interferer]]"),
+    (NAME, "position_m = [0, 9, 0]\n", "2:1", "it belongs into [[target]], [radar], [[radars]], [[clutter]] or [[radar.interferer]]"),
     // Keys as others call them.
     (NAME, "[radar]\ntilt_deg = -10\n", "3:1", "[radar]: unknown key `tilt_deg`; the nearest is `boresight_el_deg`"),
     (NAME, "[radar.array]\ntilt_deg = -10\n", "3:1", "unknown key `tilt_deg`; the nearest is `boresight_el_deg` of [radar]"),

@@ -188,3 +188,13 @@ fn mistakes_in_a_file_of_materials_name_that_file() {
     let twice = refused("name = \"s\"\n[fidelity]\nmaterials = \"m.toml\"\n[materials]\n");
     assert!(twice.contains("`materials` and `[materials]` exclude one another"), "{twice}");
 }
+
+#[test]
+fn a_key_of_a_scene_in_a_file_of_materials_is_not_sent_to_a_table_that_such_a_file_has_not() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "name = \"first\"\nsamples = 3\n[materials]\nsteel = { substance = \"metal\" }\n";
+    let errors = read_materials(&write(folder.path(), "m.toml", text), 77e9).unwrap_err().to_string();
+    assert!(errors.contains("m.toml:1:1: unknown key `name`\n"), "{errors}");
+    assert!(errors.contains("m.toml:2:1: unknown key `samples`"), "{errors}");
+    assert!(!errors.contains('['), "no heading of a scene: {errors}");
+}

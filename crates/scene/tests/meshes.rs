@@ -3,8 +3,10 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test ends where it meets what it did not expect")]
 
 mod glb_file;
+#[path = "meshes/wheels.rs"]
+mod wheels;
 
-use artifact::scene::{Mesh, RoadWheel};
+use artifact::scene::Mesh;
 use glb_file::{GlbFile, floats};
 use scene::mesh::{Format, mesh_from_bytes};
 use scene::{MeshOptions, centred, read_mesh, vehicles};
@@ -224,6 +226,29 @@ fn sparse_values_replace_those_of_the_base() {
 }
 
 #[test]
+fn sparse_indices_replace_those_of_the_base_or_zeros() {
+    let expected = surface(&read(&GlbFile::tetrahedron()));
+    let corners = [0_u8, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3];
+    let sparse = |file: &mut GlbFile, places: Vec<u8>| {
+        let count = places.len() as u64;
+        let values: Vec<u8> = places.iter().map(|i| corners[usize::from(*i)]).collect();
+        let places = file.add_accessor(places, count, 5121, "SCALAR");
+        let values = file.add_accessor(values, count, 5121, "SCALAR");
+        json!({ "count": count, "indices": { "bufferView": places, "componentType": 5121 },
+                "values": { "bufferView": values } })
+    };
+    let mut based = GlbFile::tetrahedron();
+    let indices = based.add_accessor([&corners[..4], &[3, 1], &corners[6..]].concat(), 12, 5121, "SCALAR");
+    let replaced = sparse(&mut based, vec![4, 5]);
+    let based = based.set(&format!("/accessors/{indices}/sparse"), replaced);
+    assert_eq!(surface(&read(&based.set("/meshes/0/primitives/0/indices", json!(indices)))), expected);
+    let mut bare = GlbFile::tetrahedron();
+    let replaced = sparse(&mut bare, vec![1, 2, 4, 5, 7, 8, 9, 10, 11]);
+    let accessor = json!({ "componentType": 5121, "count": 12, "type": "SCALAR", "sparse": replaced });
+    assert_eq!(surface(&read(&bare.set("/accessors/2", accessor))), expected);
+}
+
+#[test]
 fn quantized_positions_are_scaled_by_their_node() {
     let mut file = GlbFile::tetrahedron();
     let packed = [[0_i16, 0, 0, 0], [32767, 0, 0, 0], [0, 32767, 0, 0], [0, 0, -32767, 0]];
@@ -418,6 +443,12 @@ fn obj_normals_and_polygons_are_read() {
     );
     let up = mesh.normals.iter().filter(|n| **n == [0.0, 0.0, 1.0]).count();
     assert_eq!((up, mesh.normals.len()), (4, 7));
+    let idle = format!("v nan 0 0\nvn nan 0 0\n{}", text.replace("v 0 0 1", "v 0 0 1\nv 0 inf 0"));
+    let idle = idle
+        .replace("f 1//1 2//1 3//1 4//1", "f 2//2 3//2 4//2 5//2")
+        .replace("1//2 5//2 2//2", "2//3 6//3 3//3");
+    let again = mesh_from_bytes(idle.as_bytes(), Format::Obj, Path::new("n.obj"), &METRES).unwrap();
+    assert_eq!((again.triangles, again.normals), (mesh.triangles, mesh.normals), "no face has those of NaN");
 }
 
 #[test]
@@ -494,22 +525,7 @@ fn vehicles_of_the_project_are_read_back_as_they_were_written() {
             assert!(are_as_written, "{name}: {:?} for {:?}", got.2, asked.2);
         }
         assert_eq!(read.statistics, written.statistics, "{name}");
-        check_wheels(name, &read, written);
-    }
-}
-
-/// The wheels of a mesh with their triangles' places, against those of another.
-fn check_wheels(name: &str, read: &Mesh, written: &Mesh) {
-    let places = |mesh: &Mesh, wheel: &RoadWheel| {
-        let triangle =
-            |t: &u32| mesh.triangles[*t as usize].map(|c| mesh.vertices_m[c as usize].map(f64::to_bits));
-        wheel.triangles.iter().map(triangle).collect::<BTreeSet<_>>()
-    };
-    assert_eq!(read.wheels.len(), written.wheels.len(), "{name}");
-    for (got, asked) in read.wheels.iter().zip(&written.wheels) {
-        let off = got.hub_m.iter().zip(&asked.hub_m).map(|(g, a)| (g - a).abs()).fold(0.0, f64::max);
-        assert!(off < 1e-9 && (got.radius_m - asked.radius_m).abs() < 1e-9, "{name}: {got:?} for {asked:?}");
-        assert_eq!(places(read, got), places(written, asked), "{name}");
+        wheels::check_wheels(name, &read, written);
     }
 }
 
@@ -524,70 +540,4 @@ fn triangles(mesh: &Mesh) -> Vec<(String, [[u64; 3]; 3], Vec<f32>)> {
     let mut all: Vec<_> = mesh.triangles.iter().zip(&mesh.material_of_triangle).map(of).collect();
     all.sort_by(|a, b| (&a.0, a.1).cmp(&(&b.0, b.1)));
     all
-}
-
-/// A tube of 24 sectors about glTF's x axis, to the left of a body, with three spokes: wheel and names of its
-/// node, mesh and material.
-fn wheel_file(node: &str, mesh: &str, material: &str) -> GlbFile {
-    let mut file = GlbFile::tetrahedron();
-    let (radius, spokes) = (0.3_f32, 3_u16);
-    let at = |x: f32, radius: f32, angle: f32| [x, radius * angle.sin(), radius * angle.cos()];
-    let step = std::f32::consts::TAU / 24.0;
-    let mut points: Vec<[f32; 3]> = vec![];
-    (0..24).for_each(|k| points.extend([-0.1, 0.1].map(|x| at(x, radius, step * k as f32))));
-    for k in 0..spokes {
-        let angle = f32::from(k) * std::f32::consts::TAU / f32::from(spokes);
-        points.extend([at(0.0, 0.02, angle), at(0.0, 0.25, angle - 0.1), at(0.0, 0.25, angle + 0.1)]);
-    }
-    let tube = (0..24_u16).flat_map(|k| {
-        let [a, b, c, d] = [2 * k, 2 * k + 1, (2 * k + 2) % 48, (2 * k + 3) % 48];
-        [a, b, c, b, d, c]
-    });
-    let corners: Vec<u16> = tube.chain(48..48 + 3 * spokes).collect();
-    let positions = file.add_accessor(floats(&points), points.len() as u64, 5126, "VEC3");
-    let bytes = corners.iter().flat_map(|i| i.to_le_bytes()).collect();
-    let indices = file.add_accessor(bytes, corners.len() as u64, 5123, "SCALAR");
-    file.set("/materials", json!([{ "name": material }]))
-        .set(
-            "/meshes",
-            json!([{ "name": mesh, "primitives": [
-            { "attributes": { "POSITION": positions }, "indices": indices, "material": 0, "mode": 4 }] }]),
-        )
-        .set(
-            "/nodes",
-            json!([{ "children": [1] },
-            { "name": node, "children": [2] },
-            { "mesh": 0, "translation": [0.7, 0.3, 1.2] }]),
-        )
-        .set("/scenes", json!([{ "nodes": [0] }]))
-}
-
-#[test]
-fn nodes_meshes_and_materials_named_so_are_wheels_whose_spokes_turn() {
-    for names in [["Wheel_FL", "", ""], ["", "front tyre", ""], ["", "", "wheel_rim"]] {
-        let [node, mesh, material] = names;
-        let read = centred(read(&wheel_file(node, mesh, material)));
-        let [wheel] = &read.wheels[..] else { panic!("{names:?}: {:?}", read.wheels) };
-        // Its origin is under its middle then.
-        assert!((wheel.hub_m[0].hypot(wheel.hub_m[1])) < 1e-6 && (wheel.hub_m[2] - 0.3).abs() < 1e-6);
-        assert!((wheel.radius_m - 0.3).abs() < 1e-6);
-        assert_eq!(wheel.triangles, [48, 49, 50], "the tube looks the same however far it has turned");
-    }
-    for names in [["body", "", ""], ["", "steering wheel", ""], ["", "", "wheel arch"]] {
-        let [node, mesh, material] = names;
-        assert_eq!(read(&wheel_file(node, mesh, material)).wheels, [], "{names:?}");
-    }
-}
-
-#[test]
-fn own_vehicles_have_their_wheels_on_the_ground() {
-    for (name, wheels) in [("car-sedan", 4), ("motorcycle-street", 2), ("truck-box", 4)] {
-        let mesh = vehicles::mesh(name, 0).unwrap();
-        assert_eq!(mesh.wheels.len(), wheels, "{name}");
-        for wheel in &mesh.wheels {
-            assert!((wheel.hub_m[2] / wheel.radius_m - 1.0).abs() < 0.04, "{name}: {:?}", wheel.hub_m);
-            let named = wheel.triangles.iter().all(|i| (*i as usize) < mesh.triangles.len());
-            assert!(named && wheel.triangles.len() > 50);
-        }
-    }
 }

@@ -79,8 +79,8 @@ fn each_radar_has_what_its_entry_says_and_else_what_radar_says() {
 
 #[test]
 fn a_scene_of_several_radars_is_read_through_one_of_them() {
-    let many =
-        "scene.toml:9:1: the scene has several radars, and is read as one of them has it: `north`, `east`";
+    let many = "scene.toml:9:1: the scene has several radars, and is read as one of them has it: `north`, \
+                `east`; choose one by --radar, in a study and in Python by `radar`";
     assert_eq!(complaint(TWO, None), many);
     assert_eq!(
         complaint(TWO, Some("west")),
@@ -97,6 +97,7 @@ fn what_is_wrong_with_an_entry_is_told_in_its_line() {
         .replace("boresight_az_deg = 90.0", "boresite = 90.0");
     let told = complaint(&wrong, Some("east"));
     assert!(told.contains("scene.toml:14:1: radar `east`: unknown key `boresite`"), "{told}");
+    assert_eq!(told.matches("`boresite`").count(), 1, "{told}");
     assert!(told.contains("scene.toml:16:11: [radar.waveform]: `idle_us`"), "{told}");
     let twice = complaint(&TWO.replace("id = \"east\"", "id = \"north\""), Some("north"));
     assert!(twice.contains("radar `north`") && twice.contains("line 9"), "{twice}");

@@ -121,10 +121,45 @@ fn is_text(schema: &Value, text: &str) -> bool {
     // The two patterns that there are.
     let matches = match schema["pattern"].as_str() {
         Some("^chebyshev-") => text.starts_with("chebyshev-"),
-        Some("^[^. ]") => !text.is_empty() && !text.starts_with(['.', ' ']),
-        other => other.is_none(),
+        other => other.is_none_or(|pattern| is_without(pattern, text)),
     };
     is_word && matches
+}
+
+/// Whether a text matches `^[^…][^…]*$`: excluded characters of the first place, and of all others.
+fn is_without(pattern: &str, text: &str) -> bool {
+    let classes = pattern.strip_prefix("^[^").and_then(|rest| rest.strip_suffix("]*$")).unwrap();
+    let (first, others) = classes.split_once("][^").unwrap();
+    let is_of = |class: &str, c: char| ranges(class).iter().any(|(low, high)| (*low..=*high).contains(&c));
+    let mut characters = text.chars();
+    characters.next().is_some_and(|c| !is_of(first, c)) && characters.all(|c| !is_of(others, c))
+}
+
+/// First and last character of each range of a class of a regular expression.
+fn ranges(class: &str) -> Vec<(char, char)> {
+    let (mut ranges, mut is_open, mut rest) = (vec![], false, class.chars());
+    while let Some(written) = rest.next() {
+        let c = match written {
+            '-' => {
+                is_open = true;
+                continue;
+            }
+            '\\' => match rest.next().unwrap() {
+                'u' => {
+                    let digits: String = rest.by_ref().take(4).collect();
+                    char::from_u32(u32::from_str_radix(&digits, 16).unwrap()).unwrap()
+                }
+                other => other,
+            },
+            other => other,
+        };
+        match ranges.last_mut() {
+            Some((_, high)) if is_open => *high = c,
+            _ => ranges.push((c, c)),
+        }
+        is_open = false;
+    }
+    ranges
 }
 
 fn is_in_range(schema: &Value, value: &Value) -> bool {
@@ -176,6 +211,9 @@ fn what_no_scene_may_say_is_refused_by_the_schema() {
     let broken = [
         "seed = 1\n",
         "name = \"\"\n",
+        "name = \".hidden\"\n",
+        "name = \" a\"\n",
+        "name = \"a/b\"\n",
         "name = \"s\"\nfrmes = 2\n",
         "name = \"s\"\nframes = 2.5\n",
         "name = \"s\"\nradar = 3\n",
@@ -191,6 +229,18 @@ fn what_no_scene_may_say_is_refused_by_the_schema() {
     for text in broken {
         assert!(wrong(&schema, &schema, &as_json(text), "").is_some(), "{text}");
         assert!(read(text).is_err(), "{text}");
+    }
+}
+
+#[test]
+fn a_name_is_refused_by_the_schema_only_where_the_reader_refuses_it_and_in_ascii_always_there() {
+    let schema = scene::keys::json_schema();
+    for c in (0..0x250).filter_map(char::from_u32) {
+        for name in [format!("{c}a"), format!("a{c}")] {
+            let is_read = read(&format!("name = {}\n", Value::from(name.as_str()))).is_ok();
+            let is_allowed = is_text(&schema["properties"]["name"], &name);
+            assert!(if c.is_ascii() { is_read == is_allowed } else { !is_read || is_allowed }, "{name:?}");
+        }
     }
 }
 

@@ -19,7 +19,9 @@ use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use wayside::Failure;
 use wayside::host::memory::Allowance;
-use wayside::stepwise::bounds::{AZIMUTHS_DEG, BOUNCES, ELEVATIONS_DEG, FREQUENCIES_GHZ, UNIT_SCALES};
+use wayside::stepwise::bounds::{
+    ACCURACIES_DB, AZIMUTHS_DEG, BOUNCES, ELEVATIONS_DEG, FREQUENCIES_GHZ, UNIT_SCALES,
+};
 use wayside::stepwise::table_words::{
     EDGES, NODES, POLARIZATIONS, SIDES, SMALL_PARTS, SURFACES, TRANSMISSION,
 };
@@ -219,7 +221,7 @@ pub(crate) fn rcs(
         edges: meaning("edges", edges, &EDGES)?,
         surface: meaning("surface", surface, &SURFACES)?,
         small_parts: meaning("detail", detail, &SMALL_PARTS)?,
-        accuracy_db: document::accuracy_db(accuracy_db)?,
+        accuracy_db: document::accuracy_db(accuracy_db, &ACCURACIES_DB)?,
         mesh: mesh.clone(),
         materials: materials.clone(),
     };

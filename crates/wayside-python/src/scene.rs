@@ -18,6 +18,7 @@ use pyo3::types::PyDict;
 use std::path::PathBuf;
 use std::sync::Arc;
 use wayside::host::memory::Allowance;
+use wayside::stepwise::bounds::SCENE_ACCURACIES_DB;
 use wayside::stepwise::{OpenedScene, echoes, echoes_of_paths, extensions, paths, radars};
 use wayside::{CacheLocation, Cancellation, Failure, SceneSource, Settings};
 
@@ -119,7 +120,8 @@ impl Scene {
         memory_limit_mib: Option<&Bound<'_, PyAny>>,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
-        let accuracy_db = accuracy_db.map(document::accuracy_db).transpose()?;
+        let accuracy_db =
+            accuracy_db.map(|db| document::accuracy_db(db, &SCENE_ACCURACIES_DB)).transpose()?;
         let seed = seed.map(|seed| numbers::whole("seed", seed, &numbers::SEEDS)).transpose()?;
         let memory = Allowance::of(numbers::memory_mib(memory_limit_mib)?);
         let document = Arc::new(Document::of(source, folder)?);

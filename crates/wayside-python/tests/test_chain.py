@@ -272,6 +272,19 @@ def test_samples_that_are_not_the_radars_are_refused(scene: wayside.Scene) -> No
         wayside.Cube(samples[0, 0], scene)
 
 
+def test_a_sample_that_is_written_and_no_number_is_refused_with_its_place(
+    scene: wayside.Scene, tmp_path: Path
+) -> None:
+    cube = scene.echo()
+    cube.samples[1, 2, 3, 4] = np.nan
+    told = r"\(1, 2, 3, 4\): samples must be finite"
+    with pytest.raises(wayside.WaysideError, match=told):
+        cube.range_doppler()
+    with pytest.raises(wayside.WaysideError, match=told):
+        cube.write(tmp_path / "a.cube")
+    assert not (tmp_path / "a.cube").exists()
+
+
 def test_a_value_of_a_map_that_is_no_number_is_refused_with_its_frame_and_cell(scene: wayside.Scene) -> None:
     maps = scene.range_doppler()
     maps.values[1, 2, 3, 4] = np.nan

@@ -81,7 +81,7 @@ def test_a_file_that_a_dictionary_names_is_missing_and_no_file_of_ours_is_told()
 
 
 def test_an_accuracy_above_the_echo_is_refused() -> None:
-    with pytest.raises(ValueError, match="accuracy_db: from −200 to below 0, is 5"):
+    with pytest.raises(ValueError, match="accuracy_db: from -120 to below 0, is 5"):
         wayside.Scene(small_scene(), accuracy_db=5)
 
 

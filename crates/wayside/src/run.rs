@@ -2,7 +2,7 @@
 
 mod products;
 mod radar_outcome;
-mod leftovers;
+pub(crate) mod leftovers;
 mod earlier_results;
 mod several_radars;
 mod scene_run;

@@ -361,7 +361,9 @@ impl Radar {
 
     /// Time from the first sample of a cycle's first sub-frame to that of record `index`, s.
     pub fn sub_frame_start_s(&self, index: u32) -> f64 {
-        (0..index % self.schedule.sub_frames()).map(|earlier| self.in_frame(earlier).frame_duration_s()).sum()
+        // A sum of no numbers would be -0.0.
+        let earlier = 0..index % self.schedule.sub_frames();
+        earlier.map(|earlier| self.in_frame(earlier).frame_duration_s()).fold(0.0, |sum, next| sum + next)
     }
 
     /// Time from the first sample of a cycle's first sub-frame to the end of its last, s.
@@ -374,5 +376,51 @@ impl Radar {
         let stagger_s = &self.schedule.stagger_s;
         let later_s = if stagger_s.is_empty() { 0.0 } else { stagger_s[slot % stagger_s.len()] };
         slot as f64 * self.waveform.chirp_interval_s + later_s
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// One channel, two chirps a frame, in cycles of two sub-frames of 20 and 40 µs a chirp.
+    fn in_turn() -> Radar {
+        let waveform = Waveform {
+            start_frequency_hz: 77e9,
+            slope_hz_per_s: 12.5e12,
+            sample_rate_hz: 5.12e6,
+            sampling: Sampling::Complex,
+            samples: 64,
+            chirp_interval_s: 20e-6,
+            chirps: 2,
+        };
+        let array = Array {
+            tx_m: vec![[0.0; 3]],
+            rx_m: vec![[0.0; 3]],
+            tx_half_wavelengths: vec![[0.0; 2]],
+            rx_half_wavelengths: vec![[0.0; 2]],
+            multiplexing: Multiplexing::Simultaneous,
+            polarization: Polarization::Vv,
+            pattern: Pattern::Isotropic,
+        };
+        Radar {
+            position_m: [0.0; 3],
+            boresight_az_rad: 0.0,
+            boresight_el_rad: 0.0,
+            waveform,
+            schedule: Schedule { sub_frame_intervals_s: vec![20e-6, 40e-6], stagger_s: vec![] },
+            array,
+            link: Link { transmit_power_w: 1.0, antenna_gain_db: 0.0 },
+            hardware: Hardware::default(),
+        }
+    }
+
+    #[test]
+    fn a_cycle_s_first_sub_frame_starts_at_zero_without_a_sign_and_the_next_after_its_chirps() {
+        let radar = in_turn();
+        for cycle in [0, 2] {
+            assert_eq!(format!("{:.4}", radar.sub_frame_start_s(cycle) * 1e3), "0.0000");
+            assert_eq!(format!("{:.4}", radar.sub_frame_start_s(cycle + 1) * 1e3), "0.0400");
+        }
     }
 }

@@ -1,6 +1,7 @@
 //! Facets as seen by an antenna: their projections, what they hide, and the tests of their shadows.
 
 pub(crate) mod depth_order; // depth order of two facets, decided once
+pub(crate) mod material_order; // depth order of two materials in one place
 pub(crate) mod view; // viewpoint and opening
 pub(crate) mod shadow; // part hidden by one facet
 pub(crate) mod window; // part of a facet inside the view

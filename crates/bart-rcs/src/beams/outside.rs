@@ -22,13 +22,17 @@ impl BeamTree {
         Ok(tree)
     }
 
-    /// Refuses an enclosed antenna, judged by the facets that it lights directly.
+    /// Refuses an enclosed antenna, judged by the facets that it lights directly or through sheets; waves
+    /// pass the sheets themselves.
     pub(crate) fn check_open(&self, world: &World) -> Result<(), BartError> {
         match (self.antenna, self.audit.orders.first()) {
-            // With sheets it also lights what is behind them, and waves escape.
-            (Antenna::Point(_), Some(first)) if !world.has_sheets() => {
-                let lit = self.beams.iter().take_while(|beam| beam.order == 1);
-                check_enclosed(world, first.incident_section, lit.map(|beam| (beam.facet, beam.section)))
+            (Antenna::Point(_), Some(first)) => {
+                let lit = || self.beams.iter().take_while(|beam| beam.order == 1);
+                let sheets = lit().filter(|beam| world.is_transparent(beam.facet));
+                let of_sheets_sr: f64 = sheets.map(|beam| beam.section).sum();
+                let walls = lit().filter(|beam| !world.is_transparent(beam.facet));
+                let parts = walls.map(|beam| (beam.facet, beam.section));
+                check_enclosed(world, first.incident_section - of_sheets_sr, parts)
             }
             _ => Ok(()),
         }

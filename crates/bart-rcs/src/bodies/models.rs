@@ -6,6 +6,7 @@ use crate::mesh::mesh_edges::{MeshEdges, exact_places};
 use crate::mesh::neighbours::Neighbours;
 use crate::mesh::patch::Patches;
 use crate::mesh::wedges::body_edges::{BodyEdges, body_edges};
+use crate::mesh::wedges::edge_band::{EdgeBand, PerBand};
 use crate::run_control::error::BartError;
 use crate::run_control::memory::MemoryLimit;
 use crate::surface::skin::Skin;
@@ -16,7 +17,7 @@ use artifact::settings::Wheels;
 use glam::DVec3;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 /// Meshes of a scene, each with its hierarchy, shared by all frames and poses.
 #[derive(Clone)]
@@ -119,7 +120,7 @@ pub(crate) struct BodyMesh {
     pub(crate) patches: Patches,
     pub(crate) neighbours: Neighbours,
     pub(crate) hierarchy: Hierarchy,
-    edges: OnceLock<BodyEdges>,
+    edges: PerBand<BodyEdges>,
     /// Materials by slot, `None` for a perfect conductor; empty if all are perfect conductors.
     pub(crate) materials: Vec<Option<Arc<Material>>>,
     /// Material slots of the mesh's own triangles.
@@ -175,7 +176,7 @@ impl BodyMesh {
             hierarchy,
             patches,
             neighbours,
-            edges: OnceLock::new(),
+            edges: PerBand::new(),
             materials: lossy_materials(&mesh.makeup),
             slot_of_triangle: mesh.material_of_triangle.clone(),
             rolls_on_m: None,
@@ -198,11 +199,11 @@ impl BodyMesh {
         self.materials.iter().flatten().any(|material| matches!(**material, Material::Layers { .. }))
     }
 
-    /// Diffracting edges; the first `negligible_m` passed, a distance negligible for any wave, decides which
+    /// Diffracting edges in a band; `negligible_m`, a distance negligible for any of its waves, decides which
     /// seams are closed.
-    pub(crate) fn edges(&self, negligible_m: f64) -> &BodyEdges {
+    pub(crate) fn edges(&self, band: EdgeBand, negligible_m: f64) -> &BodyEdges {
         let find = || body_edges(&self.skin.triangles_m, &self.skin.corner_normals, negligible_m);
-        self.edges.get_or_init(find)
+        self.edges.get(band, &find)
     }
 }
 

@@ -16,7 +16,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 /// Refuses an antenna nearer to a facet than a wavelength, or inside a closed body with consistently wound
-/// facets.
+/// facets; sheets that waves pass through close no body.
 pub(crate) fn check_antenna_position(
     world: &World,
     antenna: Antenna,
@@ -28,13 +28,21 @@ pub(crate) fn check_antenna_position(
         return Ok(());
     }
     check_distance(world, at_m, wavelength_m)?;
-    if world.has_sheets() {
+    let opaque = (0..).zip(world.facets()).filter(|&(index, _)| !world.is_transparent(index));
+    let parts = opaque.map(|(index, facet)| (index, seen_from(at_m, facet)));
+    let taken_sr = parts.clone().map(|(_, sr)| sr).sum::<f64>().abs();
+    // Walls within walls take more than 4π though each may have an opening that a sheet fills; closed ones
+    // take a whole multiple.
+    let spheres = taken_sr / (4.0 * PI);
+    if world.has_sheets() && 4.0 * PI * (spheres - spheres.round()).abs() > GAP_SR {
         return Ok(());
     }
-    let taken_sr = world.facets().iter().map(|facet| seen_from(at_m, facet));
-    let parts = (0..).zip(taken_sr.clone());
-    check_enclosed(world, taken_sr.sum::<f64>().abs(), parts)
+    check_enclosed(world, taken_sr, parts)
 }
+
+/// Solid angle below which a gap counts as closed: rounding of a solid angle is below 1e-9 of it, and a
+/// millionth of all directions is 4 mm wide at 1 m.
+const GAP_SR: f64 = 4.0 * PI * 1e-6;
 
 /// Refuses an antenna surrounded by facets, judged by their total solid angle, sr; `parts` are the solid
 /// angles of single facets, by which the bodies are named.
@@ -43,9 +51,6 @@ pub(crate) fn check_enclosed(
     taken_sr: f64,
     parts: impl Iterator<Item = (u32, f64)>,
 ) -> Result<(), BartError> {
-    // Rounding of a solid angle is below 1e-9 of it; a gap of a millionth of all directions is 4 mm wide at 1
-    // m.
-    const GAP_SR: f64 = 4.0 * PI * 1e-6;
     if taken_sr < 4.0 * PI - GAP_SR {
         return Ok(());
     }
@@ -62,7 +67,7 @@ pub(crate) fn check_enclosed(
         is_needed
     };
     let bodies = walls.into_iter().take_while(is_needed).map(|(body, _)| body.to_owned()).collect();
-    Err(BartError::AntennaEnclosed { bodies, share: taken_sr / (4.0 * PI) })
+    Err(BartError::AntennaEnclosed { bodies, share: (taken_sr / (4.0 * PI)).min(1.0) })
 }
 
 /// Distance of an antenna from the box around all facets, and the box's diagonal, m.
@@ -127,15 +132,25 @@ fn distance_to_side_m(at_m: DVec3, from_m: DVec3, to_m: DVec3) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use artifact::material::{Backing, Layer, Material, MeshMaterials, Thickness, Transmission};
     use artifact::scene::Mesh;
+    use num_complex::Complex64;
 
     /// A cube of 1 m around the origin, with all facets facing outwards.
-    fn cube() -> World {
+    fn cube_mesh() -> Mesh {
         let corner = |i: usize| [0, 1, 2].map(|axis| if i >> axis & 1 == 1 { 0.5 } else { -0.5 });
         let quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
         let triangles = quads.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
-        World::of_mesh(&Mesh { vertices_m: (0..8).map(corner).collect(), triangles, ..Mesh::default() })
-            .unwrap()
+        Mesh { vertices_m: (0..8).map(corner).collect(), triangles, ..Mesh::default() }
+    }
+
+    fn cube() -> World {
+        World::of_mesh(&cube_mesh()).unwrap()
+    }
+
+    fn sheet() -> Material {
+        let layers = vec![Layer { thickness_m: 0.003, permittivity: Complex64::from(2.3) }];
+        Material::Layers { layers, backing: Backing::Air, thickness: Thickness::Exact }
     }
 
     fn standing(at_m: [f64; 3]) -> Result<(), BartError> {
@@ -166,5 +181,29 @@ mod tests {
         }
         let of_share = |share: f64| check_enclosed(&cube(), 4.0 * PI * share, std::iter::empty());
         assert!(of_share(0.99).is_ok() && of_share(1.0 - 1e-9).is_err());
+    }
+
+    /// Result for an antenna inside a cube within a cube twice as large, with sheets in place of the metal
+    /// of some triangles.
+    fn inside_with_sheets(is_sheet: fn(usize) -> bool) -> Result<(), BartError> {
+        let mut mesh = cube_mesh();
+        let outer: Vec<[f64; 3]> = mesh.vertices_m.iter().map(|v| v.map(|x| 2.0 * x)).collect();
+        mesh.vertices_m.extend(outer);
+        mesh.triangles.extend(mesh.triangles.clone().iter().map(|corners| corners.map(|i| i + 8)));
+        mesh.material_of_triangle = (0..24).map(|index| u16::from(is_sheet(index))).collect();
+        let materials = vec![Material::Conductor, sheet()];
+        mesh.makeup = MeshMaterials { materials, transmission: Transmission::Followed };
+        let world = World::of_mesh(&mesh).unwrap();
+        check_antenna_position(&world, Antenna::Point(DVec3::new(0.1, 0.0, 0.2)), 0.004)
+    }
+
+    #[test]
+    fn sheets_open_the_metal_body_whose_sides_they_are_and_no_other() {
+        let is_refused =
+            |is_sheet| matches!(inside_with_sheets(is_sheet), Err(BartError::AntennaEnclosed { .. }));
+        assert!(is_refused(|index| index >= 12), "the outer body is of sheets, the inner one is closed");
+        assert!(is_refused(|index| index < 12));
+        // Together their metal takes 5/3 of all directions.
+        assert!(!is_refused(|index| index % 12 < 2), "one side of both bodies is a sheet");
     }
 }

@@ -11,6 +11,7 @@ use crate::geometry::facet_geometry::FacetGeometry;
 use crate::geometry::plane::Plane;
 use crate::geometry::sweep::BeamSweep;
 use crate::mesh::mesh_edges::Winding;
+use crate::mesh::wedges::edge_band::{EdgeBand, PerBand};
 use crate::mesh::wedges::world_edges::{BodyPlacement, WorldEdges};
 use crate::run_control::error::BartError;
 use crate::run_control::memory::MemoryLimit;
@@ -25,7 +26,7 @@ use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 /// Bodies posed at one instant. Facets are numbered through all bodies in the order of the targets.
 pub struct World {
@@ -44,7 +45,7 @@ pub struct World {
     tolerance_m: f64,
     /// Memory limit of every tree.
     memory_limit: MemoryLimit,
-    edges: OnceLock<WorldEdges>,
+    edges: PerBand<WorldEdges>,
 }
 
 impl World {
@@ -340,20 +341,24 @@ impl World {
         self.facets.len() * size_of::<FacetGeometry>()
     }
 
-    /// Edges that diffract at about this wavenumber; computed when first requested, once per mesh.
-    ///
-    /// A world serves one band: the first wavenumber passed decides which sides are thin, and which seams of
-    /// rounded files are closed.
+    /// Edges that diffract at a wavenumber: those of its band.
     pub(crate) fn edges(&self, wavenumber_per_m: f64) -> &WorldEdges {
+        self.edges_in(EdgeBand::of(wavenumber_per_m))
+    }
+
+    /// Edges that diffract in a band; computed when first requested, once per mesh. The band's middle decides
+    /// which sides are thin, and which seams of rounded files are closed.
+    pub(crate) fn edges_in(&self, band: EdgeBand) -> &WorldEdges {
         /// Distance negligible for any wave, in wavelengths: twice that path is a phase of 0.013.
         const UNTOLD_WAVELENGTHS: f64 = 1e-3;
-        self.edges.get_or_init(|| {
-            let negligible_m = UNTOLD_WAVELENGTHS * std::f64::consts::TAU / wavenumber_per_m;
-            let mut all = WorldEdges::for_facets(self.facets.len());
+        self.edges.get(band, &|| {
+            let thin_m = 1.0 / band.middle_per_m();
+            let negligible_m = UNTOLD_WAVELENGTHS * TAU * thin_m;
+            let mut all = WorldEdges::for_facets(self.facets.len(), band);
             for body in &self.bodies {
                 let place =
                     BodyPlacement { world_from_body: body.world_from_body, position_m: body.motion.origin_m };
-                all.add(body.mesh.edges(negligible_m), &place, body.first_facet, 1.0 / wavenumber_per_m);
+                all.add(body.mesh.edges(band, negligible_m), &place, body.first_facet, thin_m);
             }
             all
         })
@@ -447,7 +452,7 @@ impl World {
             between_bodies: BetweenBodies::Traced,
             tolerance_m,
             memory_limit,
-            edges: OnceLock::new(),
+            edges: PerBand::new(),
         })
     }
 }

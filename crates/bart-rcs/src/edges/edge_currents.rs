@@ -10,6 +10,7 @@
 
 use crate::edges::edge_node::{EdgeNode, EdgePart, PER_ROOT_PI, amplitude_of, spread};
 use crate::edges::face_waves;
+use crate::edges::fields_over_surfaces::{over_surfaces, turning_length_m};
 use crate::edges::line_integral::{Integrand, for_each_piece};
 use crate::integral::field::length_difference_m;
 use crate::integral::node::Estimate;
@@ -58,11 +59,13 @@ struct Fringe<'a> {
     reference_m: DVec3,
 }
 
-/// Length from the reference point and √π·K over the spread.
+/// Length from the reference point, √π·K over the spread for fields over perfect mirrors, and directions of
+/// travel.
 #[derive(Clone, Copy)]
 struct FringeSample {
     length_m: f64,
     weights: [f64; 4],
+    travel: [DVec3; 2],
 }
 
 impl Integrand for Fringe<'_> {
@@ -73,20 +76,29 @@ impl Integrand for Fringe<'_> {
         let length_m = self.node.legs().map(|leg| length_difference_m(leg.image, x_m, self.reference_m));
         let spread: f64 =
             self.node.legs().map(|leg| spread(leg.image, x_m, self.reference_m)).iter().product();
-        FringeSample { length_m: length_m[0] + length_m[1], weights: self.kernel(x_m).map(|k| spread * k) }
+        FringeSample {
+            length_m: length_m[0] + length_m[1],
+            weights: self.kernel(x_m).map(|k| spread * k),
+            travel: self.node.legs().map(|leg| leg.image.travel_direction_at(x_m)),
+        }
     }
 
     fn length_m(sample: &FringeSample) -> f64 {
         sample.length_m
     }
 
-    fn weights(&self, sample: &FringeSample, _: f64) -> [Complex64; 4] {
-        sample.weights.map(Complex64::from)
+    fn weights(&self, sample: &FringeSample, wavenumber_per_m: f64) -> [Complex64; 4] {
+        let weights = sample.weights.map(Complex64::from);
+        over_surfaces(weights, self.node.legs(), sample.travel, wavenumber_per_m)
+    }
+
+    fn turning_m(&self) -> f64 {
+        turning_length_m(self.node.legs())
     }
 }
 
 impl Fringe<'_> {
-    /// Kernel √π·K: [vv, vh, hv, hh], receiver first.
+    /// Kernel √π·K for the fields over perfect mirrors: [vv, vh, hv, hh], receiver first.
     fn kernel(&self, x_m: DVec3) -> [f64; 4] {
         let ends = self.node.legs().map(|leg| {
             let travel = leg.image.travel_direction_at(x_m);

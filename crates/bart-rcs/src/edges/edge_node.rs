@@ -48,7 +48,7 @@ pub(crate) trait EdgePart {
 
 impl<I: Integrand> EdgePart for LinePiece<'_, I> {
     fn path_length_range(&self) -> PathLengthRange {
-        PathLengthRange { length_m: self.length_m(), extent_m: self.extent_m() }
+        PathLengthRange { length_m: self.length_m(), extent_m: self.extent_m() + self.turning_m() }
     }
 
     fn add_to(&self, wavenumbers_per_m: &[f64], sums: &mut [[Complex64; 4]]) {

@@ -60,7 +60,7 @@ fn add_joint(
     band: &Band<'_>,
     groups: &mut Groups,
 ) {
-    let node = node(scatterer, joint, joint.span_m, band.highest_per_m());
+    let node = node(scatterer, joint, joint.span_m);
     let (spread, length_m) = way_from(scatterer, joint, node.middle_m(), origin_m);
     let whole = ReferencePath { spread, length_m, reverse: joint.reverse };
     let mut some = Vec::new();
@@ -119,18 +119,12 @@ pub(crate) fn part_amplitudes(
     wavenumbers_per_m: &[f64],
     accuracy: f64,
 ) -> (DVec3, Estimate<Vec<Amplitude>>) {
-    let highest = wavenumbers_per_m.iter().copied().fold(0.0, f64::max);
-    let node = node(scatterer, joint, span_m, highest);
+    let node = node(scatterer, joint, span_m);
     (node.middle_m(), edge_amplitudes(&node, node.middle_m(), wavenumbers_per_m, accuracy))
 }
 
-fn node<'a>(
-    scatterer: &'a Scatterer<'_>,
-    joint: &EdgeJoint,
-    span_m: [f64; 2],
-    highest_per_m: f64,
-) -> EdgeNode<'a> {
-    let edges = scatterer.world.edges(highest_per_m);
+fn node<'a>(scatterer: &'a Scatterer<'_>, joint: &EdgeJoint, span_m: [f64; 2]) -> EdgeNode<'a> {
+    let edges = scatterer.world.edges_in(joint.band);
     let [transmit, receive] = scatterer.legs(joint.forward, joint.backward);
     let (edge, waves) = (&edges.edges[joint.edge as usize], scatterer.edge_waves);
     EdgeNode { edge, edges, span_m, transmit, receive, waves }

@@ -8,6 +8,7 @@
 
 use crate::edges::edge_node::{EdgeNode, EdgePart, spread};
 use crate::edges::end_current::EndCurrent;
+use crate::edges::fields_over_surfaces::{over_surfaces, turning_length_m};
 use crate::edges::fresnel::edge_wave;
 use crate::edges::fringe::FaceView;
 use crate::edges::line_integral::{Integrand, for_each_piece};
@@ -39,6 +40,11 @@ const FACES: usize = 4;
 /// on the division into runs. The neglected part is below −34 dB of the amplitude of an edge at normal
 /// incidence, and edges without corner terms are no better.
 const FAINTEST: f64 = 0.02;
+/// The same relative to the accuracy, where that is finer: what is neglected is then within the accuracy, and
+/// shows in the comparison with finer integrals.
+const FAINTEST_OVER_ACCURACY: f64 = 2.0;
+/// Finest minimum, to bound the number of waves.
+const LEAST_FAINTEST: f64 = 1e-3;
 /// Share of the accuracy to which waves over a second and further faces are integrated, since there are more
 /// of them.
 const FURTHER_FACES_SHARE: f64 = 0.1;
@@ -53,7 +59,8 @@ pub(crate) fn for_each_part(
     accuracy: f64,
     give: &mut dyn FnMut(&dyn EdgePart, f64),
 ) {
-    let mut following = WaveTracing { node, reference_m, highest_per_m, accuracy, give };
+    let faintest = (FAINTEST_OVER_ACCURACY * accuracy).clamp(LEAST_FAINTEST, FAINTEST);
+    let mut following = WaveTracing { node, reference_m, highest_per_m, accuracy, faintest, give };
     let senses: &[Sense] = if node.has_one_leg() { &[Sense::Both] } else { &[Sense::Forth, Sense::Back] };
     for first in CrossedFace::faces_of(node.edges, node.edge, 1.0) {
         let mut crossed = vec![first];
@@ -69,6 +76,8 @@ struct WaveTracing<'a, 'g> {
     reference_m: DVec3,
     highest_per_m: f64,
     accuracy: f64,
+    /// Minimum current of waves that are followed.
+    faintest: f64,
     give: &'g mut dyn FnMut(&dyn EdgePart, f64),
 }
 
@@ -105,8 +114,8 @@ impl WaveTracing<'_, '_> {
     where
         Self: 'c,
     {
-        let Self { node, reference_m, highest_per_m, .. } = *self;
-        FaceWaves { node, reference_m, crossed, sense, highest_per_m }
+        let Self { node, reference_m, faintest, .. } = *self;
+        FaceWaves { node, reference_m, crossed, sense, faintest }
     }
 }
 
@@ -226,7 +235,7 @@ struct FaceWaves<'a> {
     reference_m: DVec3,
     crossed: &'a [CrossedFace],
     sense: Sense,
-    highest_per_m: f64,
+    faintest: f64,
 }
 
 /// A wave over the last face, from one point of the first edge.
@@ -285,6 +294,8 @@ struct WaveEnd {
     length_m: f64,
     spread: f64,
     wave: Wave,
+    /// Directions of travel of the incident field at the first edge and of the received field at the end.
+    travel: [DVec3; 2],
     /// Kernel √π·K of the edge at the end for a unit current along the ray, by received field.
     next: [f64; 2],
 }
@@ -357,9 +368,9 @@ impl FaceWaves<'_> {
         })
     }
 
-    /// Weight of the waves excited by this one: 0 to 1.
+    /// Weight of the waves excited by this one: 0 to 1, the same at all frequencies of a band.
     fn share_of_next(&self, wave: &Wave) -> f64 {
-        (wave.strength(self.highest_per_m) / FAINTEST - 1.0).clamp(0.0, 1.0)
+        (wave.strength(self.node.edges.band.middle_per_m()) / self.faintest - 1.0).clamp(0.0, 1.0)
     }
 
     /// Parts of a span whose waves excite others, determined at a few positions.
@@ -463,10 +474,10 @@ impl FaceWaves<'_> {
 }
 
 impl Wave {
-    /// Current arriving at the end of the last face at a wavenumber, per transmitted field: a bound on the
-    /// contribution of the edge there.
+    /// Current arriving at the end of the last face at a wavenumber, for the transmitted field that excites
+    /// most of it, whatever its polarization: a bound on the contribution of the edge there.
     fn strength(&self, wavenumber_per_m: f64) -> f64 {
-        let ray = [0, 1].map(|q| self.ray(q).abs()).into_iter().fold(0.0, f64::max);
+        let ray = self.ray(0).hypot(self.ray(1));
         let falloff = edge_wave(self.current.falloff_root(self.met.way_m) * wavenumber_per_m.sqrt());
         ray * (self.before.at(wavenumber_per_m) * falloff).norm()
     }
@@ -488,8 +499,9 @@ impl Integrand for FaceWaves<'_> {
             + wave.way_m
             + length_difference_m(to, wave.end_m, reference_m);
         let spread = spread(from, x_m, reference_m) * spread(to, wave.end_m, reference_m);
-        let next = self.next_edge(&wave);
-        Some(WaveEnd { length_m, spread, wave, next })
+        let (next, travel) =
+            (self.next_edge(&wave), [from.travel_direction_at(x_m), to.travel_direction_at(wave.end_m)]);
+        Some(WaveEnd { length_m, spread, wave, travel, next })
     }
 
     fn length_m(sample: &Option<WaveEnd>) -> f64 {
@@ -497,17 +509,22 @@ impl Integrand for FaceWaves<'_> {
     }
 
     fn weights(&self, sample: &Option<WaveEnd>, wavenumber_per_m: f64) -> [Complex64; 4] {
-        let Some(WaveEnd { wave, spread, next, .. }) = sample else { return [Complex64::ZERO; 4] };
+        let Some(WaveEnd { wave, spread, travel, next, .. }) = sample else { return [Complex64::ZERO; 4] };
         let (beyond, falloff) = wave.current.beyond(wave.met.way_m, wavenumber_per_m);
         let before = 0.5 * spread * wave.before.at(wavenumber_per_m);
         let of = |p: usize, q: usize| {
             before * (next[p] * wave.ray(q) * falloff - wave.arriving[q] * beyond[2 * p + q])
         };
-        let [vv, vh, hv, hh] = [(0, 0), (0, 1), (1, 0), (1, 1)].map(|(p, q)| of(p, q));
+        let weights = [(0, 0), (0, 1), (1, 0), (1, 1)].map(|(p, q)| of(p, q));
+        let [vv, vh, hv, hh] = over_surfaces(weights, self.legs(), *travel, wavenumber_per_m);
         match self.sense {
             Sense::Forth => [vv, vh, hv, hh],
             Sense::Back => [vv, hv, vh, hh],
             Sense::Both => [2.0 * vv, vh + hv, vh + hv, 2.0 * hh],
         }
+    }
+
+    fn turning_m(&self) -> f64 {
+        turning_length_m(self.node.legs())
     }
 }

@@ -13,6 +13,10 @@ pub(crate) trait Integrand {
     fn length_m(sample: &Self::Sample) -> f64;
     /// Weights [vv, vh, hv, hh] without that phase.
     fn weights(&self, sample: &Self::Sample, wavenumber_per_m: f64) -> [Complex64; 4];
+    /// Length by which the weights turn with the wavenumber, m.
+    fn turning_m(&self) -> f64 {
+        0.0
+    }
 }
 
 /// Maximum number of halvings: at 2⁻²⁴ of a line, where a weight jumps, the remainder is below any requested
@@ -116,6 +120,11 @@ impl<'a, I: Integrand> LinePiece<'a, I> {
     /// Maximum difference of L on the piece from that at the middle.
     pub(crate) fn extent_m(&self) -> f64 {
         self.slope.abs() * self.half_m + self.bend_m.abs()
+    }
+
+    /// Length by which its weights turn with the wavenumber, m.
+    pub(crate) fn turning_m(&self) -> f64 {
+        self.integrand.turning_m()
     }
 
     /// Values weight·e^{−jk(L − linear part)} at the ends and at the middle.

@@ -10,10 +10,13 @@ use crate::beams::image_tree::goes_by_road;
 use crate::bodies::world::World;
 use crate::joins::join::tree_order;
 use crate::joins::joint::{Reverse, Trees};
+use crate::mesh::wedges::edge_band::EdgeBand;
 use crate::mesh::wedges::world_edges::{EdgeGeometry, FacetSide, WorldEdges};
 use artifact::paths::MAX_ORDER;
 use artifact::settings::{Edges, NodeRule};
 use glam::DVec3;
+use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// A part of an edge lit from one end along one path.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,6 +26,8 @@ pub(crate) struct LitEdge {
     pub(crate) order: u8,
     /// Patches of the preceding mirrors, nearest first.
     mirrors: MirrorPatches,
+    /// Surfaces on the path other than perfect mirrors.
+    surfaces: PathSurfaces,
     /// A beam that reaches the edge: its leg leads to the edge.
     pub(crate) beam: u32,
     /// Span along the edge, m.
@@ -34,9 +39,15 @@ pub(crate) struct LitEdge {
 type MirrorPatches = [u32; MAX_ORDER];
 const NO_MIRROR: u32 = u32::MAX;
 
+/// Number of surfaces on a path other than perfect mirrors, and a name for these. A path beside a pane and
+/// one through it have the same mirrors, and are apart.
+type PathSurfaces = [u32; 2];
+
 /// A part of an edge lit from both ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct EdgeJoint {
+    /// Band whose edges it counts among.
+    pub(crate) band: EdgeBand,
     pub(crate) edge: u32,
     /// Beams whose legs lead to it.
     pub(crate) forward: u32,
@@ -68,16 +79,18 @@ pub(crate) fn edge_joints(world: &World, edges: &WorldEdges, trees: Trees<'_>, o
 /// Parts of edges reached by a tree's beams up to `max_order`, sorted by edge, order, mirror and position.
 /// Beams via the road are not followed to edges.
 pub(crate) fn lit_edges(world: &World, edges: &WorldEdges, tree: &BeamTree, max_order: u8) -> Vec<LitEdge> {
-    let mut found = Vec::new();
+    let (mut found, mut names) = (Vec::new(), SurfaceNames::default());
     let beams = (0..).zip(&tree.beams).take_while(|(_, beam)| beam.order <= max_order);
     for (index, beam) in beams.filter(|(_, beam)| !goes_by_road(world, tree, beam)) {
         for side in edges.sides_of(beam.facet) {
             let edge = &edges.edges[side.edge as usize];
             let reached = reached_m(world, tree, beam, side, edge);
+            let surfaces = names.of_path(world, tree, beam);
             let lit = |span_m| LitEdge {
                 edge: side.edge,
                 order: beam.order,
                 mirrors: mirrors_of(world, tree, beam),
+                surfaces,
                 beam: index,
                 span_m,
             };
@@ -85,7 +98,7 @@ pub(crate) fn lit_edges(world: &World, edges: &WorldEdges, tree: &BeamTree, max_
         }
     }
     let line = |lit: &LitEdge| edges.edges[lit.edge as usize].line.first;
-    let key = |lit: &LitEdge| (line(lit), lit.order, lit.mirrors, lit.edge);
+    let key = |lit: &LitEdge| (line(lit), lit.order, lit.mirrors, lit.edge, lit.surfaces);
     found.sort_by(|a, b| {
         key(a).cmp(&key(b)).then(a.span_m[0].total_cmp(&b.span_m[0])).then(a.beam.cmp(&b.beam))
     });
@@ -94,9 +107,10 @@ pub(crate) fn lit_edges(world: &World, edges: &WorldEdges, tree: &BeamTree, max_
     of_way.flat_map(|ways| nearest_of_line(edges, tree, ways)).collect()
 }
 
-/// Parts of the edges of one line, without those hidden by a nearer edge that is lit in the same way.
+/// Parts of the edges of one line, without those hidden by a nearer edge that is lit in the same way, or lit
+/// over fewer surfaces as well.
 fn nearest_of_line(edges: &WorldEdges, tree: &BeamTree, lit: &[LitEdge]) -> Vec<LitEdge> {
-    if lit.iter().all(|other| other.edge == lit[0].edge) {
+    if lit.iter().all(|other| (other.edge, other.surfaces) == (lit[0].edge, lit[0].surfaces)) {
         return lit.to_vec();
     }
     let seen = |one: &LitEdge| {
@@ -109,12 +123,12 @@ fn nearest_of_line(edges: &WorldEdges, tree: &BeamTree, lit: &[LitEdge]) -> Vec<
 }
 
 /// Whether an edge is nearer to the antenna than another one on its line, at the middle of their common lit
-/// part.
+/// part, or is the same one and comes first by its surfaces.
 fn is_before(edges: &WorldEdges, tree: &BeamTree, one: &LitEdge, other: &LitEdge) -> bool {
     let [a, b] = [one, other].map(|lit| edges.on_line_m(lit.edge, lit.span_m));
     let overlap_m = [a[0].max(b[0]), a[1].min(b[1])];
     if one.edge == other.edge || overlap_m[0] >= overlap_m[1] {
-        return false;
+        return overlap_m[0] < overlap_m[1] && one.surfaces < other.surfaces;
     }
     let place = |lit: &LitEdge| {
         let middle_m = edges.on_edge_m(lit.edge, [0.5 * (overlap_m[0] + overlap_m[1]); 2])[0];
@@ -150,6 +164,32 @@ fn mirrors_of(world: &World, tree: &BeamTree, beam: &Beam) -> MirrorPatches {
     mirrors
 }
 
+/// Names of the surfaces on paths, in the order of their discovery.
+#[derive(Default)]
+struct SurfaceNames(BTreeMap<Vec<SurfaceKey>, u32>);
+
+/// Patch of a surface, and its material by its place in memory; 0 for a conductor.
+type SurfaceKey = (u32, usize);
+
+impl SurfaceNames {
+    fn of_path<'a>(&mut self, world: &World, tree: &'a BeamTree, beam: &'a Beam) -> PathSurfaces {
+        if world.is_conductor() {
+            return [0; 2];
+        }
+        let key = |facet: &u32| {
+            let material = world.lossy_material(*facet);
+            (world.patch(*facet), material.map_or(0, |material| Arc::as_ptr(material) as usize))
+        };
+        // Sheets before the edge, then each mirror with the sheets before it.
+        let of_leg =
+            |(leg, beam): (usize, &'a Beam)| (leg > 0).then_some(&beam.facet).into_iter().chain(&beam.sheets);
+        let path: Vec<SurfaceKey> = tree.mirror_chain(beam).enumerate().flat_map(of_leg).map(key).collect();
+        let count = path.iter().filter(|(_, material)| *material != 0).count() as u32;
+        let next = self.0.len() as u32;
+        [count, *self.0.entry(path).or_insert(next)]
+    }
+}
+
 /// Spans of an edge covered by sides of a beam's polygon.
 fn reached_m<'a>(
     world: &World,
@@ -179,7 +219,8 @@ fn united(found: Vec<LitEdge>, tolerance_m: f64) -> Vec<LitEdge> {
     for lit in found {
         match united.last_mut() {
             Some(last)
-                if (last.edge, last.order, last.mirrors) == (lit.edge, lit.order, lit.mirrors)
+                if (last.edge, last.order, last.mirrors, last.surfaces)
+                    == (lit.edge, lit.order, lit.mirrors, lit.surfaces)
                     && lit.span_m[0] <= last.span_m[1] + 16.0 * tolerance_m =>
             {
                 last.span_m[1] = last.span_m[1].max(lit.span_m[1]);
@@ -221,7 +262,8 @@ fn joints_of(
                 };
                 let (edge, span_m) = edges.overlap_m([(f.edge, f.span_m), (b.edge, b.span_m)]);
                 if span_m[0] < span_m[1] {
-                    joints.push(EdgeJoint { edge, forward: f.beam, backward: b.beam, span_m, reverse });
+                    let (band, forward, backward) = (edges.band, f.beam, b.beam);
+                    joints.push(EdgeJoint { band, edge, forward, backward, span_m, reverse });
                 }
             }
         }

@@ -18,22 +18,25 @@ use crate::geometry::plane_frame::area_m2;
 use crate::joins::joint::{Joint, Joints, Trees};
 use crate::joins::scatterer::Scatterer;
 use crate::joins::specular_separation::{NodeSeparation, SpecularSeparation};
+use crate::mesh::wedges::edge_band::EdgeBand;
 use glam::{DMat3, DVec2, DVec3};
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
 /// Sets the separation of all joints of order two from their specular point, and returns the own edges that
-/// take over, by sequence.
+/// take over, by sequence, in the band of a wavenumber.
 pub(crate) fn separate_sequences(
     scatterer: &Scatterer<'_>,
     joints: &mut Joints,
-    highest_per_m: f64,
+    wavenumber_per_m: f64,
 ) -> Vec<Truncation> {
     let world = scatterer.world;
     if world.has_sheets() || world.skin_error() > 0.0 {
         return Vec::new();
     }
-    let mut patches = FlatPatches::of(world, std::f64::consts::TAU / highest_per_m);
+    let band = EdgeBand::of(wavenumber_per_m);
+    let highest_per_m = band.highest_per_m();
+    let mut patches = FlatPatches::of(world, std::f64::consts::TAU / band.middle_per_m());
     let mut truncations = Vec::new();
     for (sequence, members) in sequences(scatterer, joints) {
         let Some(pair) = patches.pair(&sequence) else { continue };

@@ -7,3 +7,4 @@ pub(crate) mod edge_cells; // of lit edges
 pub(crate) mod critical_cells; // of corners and sides of large polygons, off their specular
 pub(crate) mod grid_nodes; // of their parts about the stationary point
 pub(crate) mod small_part_paths; // of small parts that meshes lack
+pub(crate) mod point_paths; // of point targets

@@ -39,6 +39,8 @@ pub(crate) struct FrameReference {
     /// Scattering amplitude of the order after the last by the middle rule, facets alone, if the tree has
     /// that order.
     left_out_m: Option<Vec<Complex64>>,
+    /// Echo of the point targets over frequency.
+    points_m: Vec<Complex64>,
     /// Fineness of the reference's integrals, and of those of the paths compared with it.
     pub(crate) integration: IntegrationError,
     /// Echo between a second pair of elements; `None` unless the array is wide.
@@ -78,8 +80,8 @@ pub(crate) struct OmittedPowers {
     pub(crate) blends_power_m2: f64,
 }
 
-/// Bodies at another moment, traced and integrated anew.
-pub(crate) fn reference(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> FrameReference {
+/// Bodies at another moment, traced and integrated anew, beside the paths of the point targets.
+pub(crate) fn reference(scatterer: &Scatterer<'_>, plan: &Plan<'_>, points: &[Path]) -> FrameReference {
     let fidelity = &plan.header.fidelity;
     let frequencies_hz = checked_frequencies_hz(plan);
     let wavenumbers = wavenumbers_per_m(&frequencies_hz);
@@ -95,7 +97,8 @@ pub(crate) fn reference(scatterer: &Scatterer<'_>, plan: &Plan<'_>) -> FrameRefe
     let other_m = (1..=fidelity.bounces).map(|o| reaches(o).then(|| of(o, &other))).collect();
     let alone = JointSettings { nodes: NodeRule::Middle, edges: Edges::Ignored, ..plan.meetings() };
     let left_out_m = left_out_order(fidelity.bounces, plan.trace.max_order).map(|order| of(order, &alone));
-    FrameReference { by_order_m, other_m, left_out_m, frequencies_hz, integration, second: None }
+    let points_m = element_over_band(points, &plan.check_view(), plan.reception(), &frequencies_hz);
+    FrameReference { by_order_m, other_m, left_out_m, points_m, frequencies_hz, integration, second: None }
 }
 
 fn checked_frequencies_hz(plan: &Plan<'_>) -> Vec<f64> {
@@ -132,8 +135,8 @@ impl FrameReference {
         self.second.as_ref().map_or(0.0, of_second)
     }
 
-    /// Spread between the node rules where both are known, and the first missing order, both relative to all
-    /// orders.
+    /// Spread between the node rules where both are known, and the first missing order, both relative to the
+    /// whole echo.
     pub(crate) fn model_error(&self) -> ModelError {
         let power = self.power_m2();
         let relative = |part: f64| amplitude_ratio(part, power);
@@ -158,9 +161,9 @@ impl FrameReference {
         }
     }
 
-    /// Ratio ‖S(of)‖ of the orders up to `orders` over ‖S‖ of all, including the assumed gain of the later
-    /// orders ([`with_later_orders`]). `of` gives S of an order over the wavenumbers. `None` if nothing
-    /// scatters.
+    /// Ratio ‖S(of)‖ of the orders up to `orders` over ‖S‖ of the whole echo, including the assumed gain of
+    /// the later orders ([`with_later_orders`]). `of` gives S of an order over the wavenumbers. `None` if
+    /// nothing scatters.
     pub(crate) fn relative_to_first_orders(
         &self,
         orders: u8,
@@ -175,19 +178,20 @@ impl FrameReference {
         (whole > 0.0).then(|| MARGIN * (gained / whole).sqrt())
     }
 
-    /// Ratio ‖S − S(of other beams)‖ over ‖S‖, summed over all orders, by the requested rule.
+    /// Ratio ‖S − S(of other beams)‖, summed over all orders by the requested rule, over ‖S‖ of the whole
+    /// echo.
     pub(crate) fn difference(&self, other: &Scatterer<'_>, plan: &Plan<'_>) -> f64 {
         let other_m = self.of_other_beams(other, plan);
-        let total_m = self.total_m();
-        amplitude_ratio(mean_difference(&total_m, &other_m), mean(&total_m))
+        amplitude_ratio(mean_difference(&self.total_m(), &other_m), self.power_m2())
     }
 
-    /// Mean power |S|² over frequency, all orders, m².
+    /// Mean power |S|² of the whole echo over frequency, m²: all orders on bodies, and the point targets.
     pub(crate) fn power_m2(&self) -> f64 {
-        mean(&self.total_m())
+        let orders = self.by_order_m.iter().chain([&self.points_m]).cloned();
+        mean(&total(orders, self.frequencies_hz.len()))
     }
 
-    /// Scattering amplitude summed over all orders, over frequency.
+    /// Scattering amplitude of the bodies summed over all orders, over frequency.
     fn total_m(&self) -> Vec<Complex64> {
         total(self.by_order_m.iter().cloned(), self.frequencies_hz.len())
     }

@@ -5,6 +5,7 @@ use crate::bodies::body_gains::BodyGains;
 use crate::bodies::models::Models;
 use crate::bodies::road::check_road;
 use crate::frame::blends::blending::{split, split_alike};
+use crate::frame::cells::point_paths::point_paths;
 use crate::frame::cells::small_part_paths::{relative_to, small_part_paths};
 use crate::frame::frame_error::target_error::target_errors;
 use crate::frame::frame_error::{FrameReference, reference};
@@ -18,13 +19,10 @@ use crate::joins::scatterer::check_order;
 use crate::run_control::error::BartError;
 use crate::run_control::progress::{NoProgress, Phase, Progress};
 use crate::surface::skin::{COARSER, FinerSkin, reported_error};
-use artifact::paths::{Curve, ErrorOrigin, Fineness, Path, PathsFrame, Rim, TraceStatistics};
-use artifact::scene::{Pose, SceneFrame, SceneHeader, Target, TargetKind, Wheel};
+use artifact::paths::{ErrorOrigin, Fineness, Path, PathsFrame, TraceStatistics};
+use artifact::scene::{SceneFrame, SceneHeader};
 use artifact::settings::Surface;
 use artifact::{ErrorBudget, ModelError};
-use glam::DVec3;
-use num_complex::Complex64;
-use std::f64::consts::TAU;
 
 /// Context in which a frame is made.
 #[derive(Clone, Copy)]
@@ -73,10 +71,11 @@ fn check_amplitudes(header: &SceneHeader, frame: &PathsFrame) -> Result<(), Bart
 fn traced(scenery: &TracedScene<'_>) -> Result<PathsFrame, BartError> {
     let (plan, frame) = (scenery.plan, scenery.frame);
     let header = plan.header;
+    let points = point_paths(header, frame);
     // Bodies and beams of one moment at a time.
     let (reference, left_out, skin, check_bytes) = {
         let check = scenery.at(plan.check_s, plan.check_ends_m)?;
-        let reference = reference(&check.scatterer(plan, Phase::Checking), plan);
+        let reference = reference(&check.scatterer(plan, Phase::Checking), plan, &points);
         let left_out = ModelError {
             road: road_left_out(&check.world, plan, &reference)?,
             between_bodies: between_bodies_left_out(&check.world, plan, &reference)?,
@@ -87,7 +86,6 @@ fn traced(scenery: &TracedScene<'_>) -> Result<PathsFrame, BartError> {
     };
     let (reference, second_bytes) = with_second(scenery, reference)?;
     let tessellation = tessellation(scenery, &reference, skin)?;
-    let points = point_paths(header, frame);
     let (seen, table, small, has_bodies) = {
         let snapshot = scenery.at(plan.middle_s, [plan.position_m; 2])?;
         let scatterer = snapshot.scatterer(plan, Phase::Integrating);
@@ -236,32 +234,6 @@ fn paths_frame(
         },
         paths,
     }
-}
-
-fn point_paths(header: &SceneHeader, frame: &SceneFrame) -> Vec<Path> {
-    let targets = (0..).zip(header.targets.iter().zip(&frame.poses));
-    let of = |(target, (kind, pose)): (u32, (&Target, &Pose))| {
-        let TargetKind::Point { rcs_m2, wheel } = kind.kind else { return None };
-        let root = Complex64::from(rcs_m2.sqrt());
-        let amplitude_m = [[root, Complex64::ZERO], [Complex64::ZERO, root]];
-        let curve = Curve {
-            apparent_tx_mps2: pose.acceleration_mps2,
-            apparent_rx_mps2: pose.acceleration_mps2,
-            rim: wheel.map(|wheel| rim(&wheel, &kind.start, pose)),
-            ..Curve::default()
-        };
-        Some(Path { target, curve, ..Path::of_point(pose.position_m, pose.velocity_mps, amplitude_m) })
-    };
-    targets.filter_map(of).collect()
-}
-
-/// Rim after rolling since the scene's start.
-fn rim(wheel: &Wheel, start: &Pose, pose: &Pose) -> Rim {
-    let (sin, cos) = pose.yaw_rad.sin_cos();
-    let forward = DVec3::new(cos, sin, 0.0);
-    let way_m = (DVec3::from_array(pose.position_m) - DVec3::from_array(start.position_m)).dot(forward);
-    let angle_rad = (wheel.angle_rad - way_m / wheel.radius_m).rem_euclid(TAU);
-    Rim { radius_m: wheel.radius_m, forward: forward.to_array(), angle_rad }
 }
 
 fn count(paths: &[Path], order: u8) -> u64 {

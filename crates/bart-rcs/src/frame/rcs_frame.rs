@@ -54,7 +54,11 @@ pub(crate) fn rcs_frame(
     for (index, (target, pose)) in (0..).zip(header.targets.iter().zip(&frame.poses)) {
         progress.at(Phase::Bodies, index as usize, header.targets.len());
         tables.push(match target.kind {
-            TargetKind::Point { rcs_m2, .. } => point_table(header, index, rcs_m2),
+            TargetKind::Point { rcs_m2, .. } => {
+                let table = point_table(header, index, rcs_m2);
+                powers.add(&Powers::of_point(header, pose, (&table, gains.of_way([index; 2]))));
+                table
+            }
             TargetKind::Mesh { mesh, .. } => {
                 let meshes = header.meshes.len();
                 let missing = || BartError::MeshOutOfRange { target: target.id.clone(), mesh, meshes };
@@ -99,6 +103,8 @@ const FREQUENCIES_MAX: usize = 257;
 /// Number of instants of a frame at which aspects are evaluated. An extreme between two of them exceeds
 /// theirs by at most an eightieth of the whole rotation, and the echo extrapolates a table by one step.
 const INSTANTS: usize = 9;
+/// Number of frequencies at which powers are summed.
+const FREQUENCIES: usize = 12;
 /// Phase rotation below which an aspect counts as constant; rounding of angles rotates a body of 100 m by
 /// less.
 const STILL_RAD: f64 = 1e-6;
@@ -129,7 +135,8 @@ struct Powers {
     dropped: f64,
     /// Error of frozen shadows at the end of the sweep.
     freezing: f64,
-    /// Difference from the spherical wave, and that wave's own power, to which the relative error refers.
+    /// Difference from the spherical wave, and the power of that wave and of the point targets, to which the
+    /// relative error refers.
     far_field: f64,
     spherical: f64,
 }
@@ -186,7 +193,6 @@ impl<'a> TabulatedBody<'a> {
 
     /// Powers from which the errors of the table are estimated, at a few frequencies.
     fn powers(&self, scatterer: &Scatterer<'_>, meetings: &[OrderJoints]) -> Result<Powers, BartError> {
-        const FREQUENCIES: usize = 12;
         let waveform = &self.header.radar.waveform;
         let (centre_hz, bandwidth_hz) = (waveform.centre_frequency_hz(), waveform.bandwidth_hz());
         let frequencies = frequencies_hz(centre_hz, bandwidth_hz, FREQUENCIES);
@@ -415,6 +421,14 @@ impl<'a> TabulatedBody<'a> {
 }
 
 impl Powers {
+    /// Power of a point target, which is exact.
+    fn of_point(header: &SceneHeader, pose: &Pose, (table, gain): (&RcsTable, f64)) -> Self {
+        let at_m = position_m(pose, header.radar.frame_middle_s());
+        let weight = (gain / at_m.distance_squared(DVec3::from_array(header.radar.position_m))).powi(2);
+        let total = weight * FREQUENCIES as f64 * power(&table.amplitude_m);
+        Self { total, spherical: total, ..Self::default() }
+    }
+
     fn add(&mut self, other: &Self) {
         self.total += other.total;
         self.integration += other.integration;

@@ -1,26 +1,35 @@
 //! Scattering at one aspect: trees, joins and integrals of every order, by the requested node rule and by the
 //! other one.
 
+mod by_order; // sums over orders, and means over frequency
+mod left_out_edges; // change that edges would make
+mod order_contribution; // S of one order
+
 use crate::beams::beam::BeamTree;
 use crate::bodies::stand_off::check_antenna_position;
 use crate::bodies::world::World;
-use crate::edges::off_specular_sequences::SequenceSeparations;
 use crate::geometry::antenna::Antenna;
 use crate::joins::join::tree_order;
 use crate::joins::joint::Trees;
 use crate::joins::scatterer::{Scatterer, ZenithH};
 use crate::run_control::error::BartError;
 use crate::run_control::progress::{NoProgress, Phase, Progress};
-use crate::run_control::work_meter::WorkMeter;
+use crate::run_control::work_meter::{MeteredWork, WorkMeter};
+use crate::table::aspect::by_order::{
+    mean_over_frequencies, moved, of_bands, power_between, power_of, total,
+};
+use crate::table::aspect::left_out_edges::{left_out_edges, settings_with_edges};
+use crate::table::aspect::order_contribution::{
+    OrderContribution, edges_of_order, meetings, of_meeting, sums,
+};
 use crate::table::aspect_settings::{
     AspectSettings, Check, Checks, Finer, IntegralsCheck, compared_rule, left_out_order,
 };
 use crate::table::end_tree::EndTree;
 use crate::table::order_joints::{LeftOutEdges, OrderJoints};
-use crate::table::rcs_request::Aspect;
+use crate::table::rcs_request::{Aspect, beside_faces};
 use crate::table::small_mirrors::SmallMirrors;
 use artifact::settings::{Edges, NodeRule};
-use glam::DVec3;
 use num_complex::Complex64;
 use rayon::prelude::*;
 
@@ -95,48 +104,11 @@ pub(crate) fn scattering_with(
     ends.check_open()?;
     ends.grow_to(settings.tree_order())?;
     let trace_seconds = metered.lap_s();
-    let is_measured = checks.integrals != IntegralsCheck::Skipped;
-    let RequestedOrders { orders: chosen, mirrors, accuracy, finer } = ends.chosen(settings, checks)?;
-    let settings = &AspectSettings { accuracy, ..settings.clone() };
-    let integrate_seconds = metered.lap_s();
-    let [dropped_m, dropped_at_most_m] = ends.dropped_m(&chosen, &mirrors, settings);
-    ends.phase = Phase::Checking;
-    let finer_m = is_measured.then(|| ends.finer(&chosen, aspect, (finer, settings))).transpose()?;
-    let (other_m, left_out_power, left_out_edges) = match checks.model {
-        Check::Measured => (
-            Some(ends.by_other_rule(&chosen, settings)?),
-            ends.left_out_power(settings),
-            ends.left_out_edges(settings),
-        ),
-        Check::Skipped => (None, None, None),
-    };
-    let whole_power = chosen.iter().map(|order| order.whole_power).sum();
-    let chosen_m: Vec<Vec<Complex64>> = chosen.into_iter().map(|order| order.s_m).collect();
-    let error_power = finer_m.as_ref().map(|finer_m| {
-        let difference = power_between(&chosen_m, finer_m);
-        checks.integrals.error_power((difference, finer), (accuracy, settings.edges), power_of(finer_m))
+    let bands = settings.by_band().into_iter().map(|(indices, settings)| {
+        Ok((indices, ends.scattering(aspect, &settings, checks, (context, &metered))?))
     });
-    let taken = finer_m.filter(|_| checks.integrals == IntegralsCheck::Taken);
-    // Both node rules are compared with integrals of equal fineness.
-    let other_m = other_m.map(|other_m| match &taken {
-        Some(finer_m) => moved(other_m, &chosen_m, finer_m),
-        None => other_m,
-    });
-    Ok(Scattering {
-        chosen_m: taken.unwrap_or(chosen_m),
-        other_m,
-        error_power,
-        left_out_power,
-        left_out_edges,
-        whole_power,
-        beams: ends.beams(),
-        accuracy,
-        dropped_m,
-        dropped_at_most_m,
-        trace_seconds,
-        integrate_seconds,
-        check_seconds: metered.lap_s(),
-    })
+    let bands = bands.collect::<Result<Vec<_>, BartError>>()?;
+    Ok(Scattering { trace_seconds, beams: ends.beams(), ..Scattering::of_bands(bands) })
 }
 
 /// Trees of an aspect, grown as far as needed so far.
@@ -176,6 +148,59 @@ impl<'a> AspectTrees<'a> {
     fn grow_to(&mut self, order: u8) -> Result<(), BartError> {
         self.transmit.grow_to(order)?;
         self.receive.as_mut().map_or(Ok(()), |tree| tree.grow_to(order))
+    }
+
+    /// Scattering in one band, without beams and the time of their trace.
+    fn scattering(
+        &mut self,
+        aspect: &Aspect,
+        settings: &AspectSettings,
+        checks: Checks,
+        (context, metered): (&AspectContext<'_>, &MeteredWork<'_>),
+    ) -> Result<Scattering, BartError> {
+        self.phase = Phase::Integrating;
+        let is_measured = checks.integrals != IntegralsCheck::Skipped;
+        let RequestedOrders { orders: chosen, mirrors, accuracy, finer } = self.chosen(settings, checks)?;
+        let settings = &AspectSettings { accuracy, ..settings.clone() };
+        let integrate_seconds = metered.lap_s();
+        let [dropped_m, dropped_at_most_m] = self.dropped_m(&chosen, &mirrors, settings);
+        self.phase = Phase::Checking;
+        let finer_m = is_measured.then(|| self.finer(&chosen, aspect, (finer, settings))).transpose()?;
+        let (other_m, left_out_power, left_out_edges) = match checks.model {
+            Check::Measured => (
+                Some(self.by_other_rule(&chosen, settings)?),
+                self.left_out_power(settings),
+                self.left_out_edges(aspect, settings, context)?,
+            ),
+            Check::Skipped => (None, None, None),
+        };
+        let whole_power = chosen.iter().map(|order| order.whole_power).sum();
+        let chosen_m: Vec<Vec<Complex64>> = chosen.into_iter().map(|order| order.s_m).collect();
+        let error_power = finer_m.as_ref().map(|finer_m| {
+            let difference = power_between(&chosen_m, finer_m);
+            checks.integrals.error_power((difference, finer), (accuracy, settings.edges), power_of(finer_m))
+        });
+        let taken = finer_m.filter(|_| checks.integrals == IntegralsCheck::Taken);
+        // Both node rules are compared with integrals of equal fineness.
+        let other_m = other_m.map(|other_m| match &taken {
+            Some(finer_m) => moved(other_m, &chosen_m, finer_m),
+            None => other_m,
+        });
+        Ok(Scattering {
+            chosen_m: taken.unwrap_or(chosen_m),
+            other_m,
+            error_power,
+            left_out_power,
+            left_out_edges,
+            whole_power,
+            beams: Vec::new(),
+            accuracy,
+            dropped_m,
+            dropped_at_most_m,
+            trace_seconds: 0.0,
+            integrate_seconds,
+            check_seconds: metered.lap_s(),
+        })
     }
 
     /// Refuses an enclosed antenna, once trees have their first order.
@@ -309,25 +334,29 @@ impl<'a> AspectTrees<'a> {
         Ok(other_m)
     }
 
-    /// Power |S|² at the middle frequency of the change by edges in all orders, if they are omitted and cheap
-    /// to compute; the trees then have the last order, since both rules have been evaluated.
-    fn left_out_edges(&self, settings: &AspectSettings) -> Option<LeftOutEdges> {
-        let wavenumber_per_m = *settings.wavenumbers_per_m.get(settings.wavenumbers_per_m.len() / 2)?;
-        if settings.edges == Edges::FirstOrder || self.world.facets().len() > FACETS_WITH_CHEAP_EDGES {
-            return None;
-        }
-        let cheap = AspectSettings {
-            wavenumbers_per_m: vec![wavenumber_per_m],
-            edges: Edges::FirstOrder,
-            accuracy: EDGES_LEFT_OUT_ACCURACY,
-            ..settings.clone()
+    /// Change by edges at the middle frequency, if they are omitted and cheap to compute; the trees then have
+    /// the last order, since both rules have been evaluated.
+    ///
+    /// A face that contains the antenna in its plane has no lit polygon, and no lit edge: the antenna is then
+    /// moved, as where edges are on.
+    fn left_out_edges(
+        &self,
+        aspect: &Aspect,
+        settings: &AspectSettings,
+        context: &AspectContext<'_>,
+    ) -> Result<Option<LeftOutEdges>, BartError> {
+        let Some(settings) = settings_with_edges(settings, self.world.facets().len()) else {
+            return Ok(None);
         };
-        let is_small = self.world.facets().len() <= FACETS_WITH_CHEAP_WAVES;
-        let all = self.scatterer();
-        let scatterer = if is_small { all } else { all.with_waves_over_own_faces() };
-        let integration = cheap.integration(cheap.nodes);
-        let meeting = cheap.meeting(cheap.nodes);
-        Some(meeting.left_out_edges(&scatterer, cheap.bounces, cheap.polarization, &integration))
+        let edges = self.world.edges(settings.wavenumbers_per_m[0]);
+        let Some(beside) = beside_faces(aspect, edges) else {
+            return Ok(Some(left_out_edges(self.scatterer(), &settings)));
+        };
+        let settings = settings.seen_from(&beside);
+        let context = AspectContext { received: None, ..*context };
+        let mut trees = AspectTrees::new(self.world, &beside, &context, &settings)?;
+        trees.grow_to(settings.tree_order())?;
+        Ok(Some(left_out_edges(trees.scatterer(), &settings)))
     }
 
     /// Power |S|² over frequency of the order after the last, if the trees contain its nodes.
@@ -337,71 +366,6 @@ impl<'a> AspectTrees<'a> {
         let left_out_m = self.orders(order, NodeRule::Middle, &settings).ok()?.pop()?;
         Some(mean_over_frequencies(left_out_m.len(), |f| left_out_m[f]))
     }
-}
-
-/// Maximum number of facets for which edges are cheap: with more they take longer than a tenth of a second,
-/// as much as the rest of an aspect.
-const FACETS_WITH_CHEAP_EDGES: usize = 2_000;
-/// Maximum number of facets for which edge waves over further faces are cheap; with more, they would take
-/// half of the time of edges and change their level by a decibel at most.
-const FACETS_WITH_CHEAP_WAVES: usize = 100;
-/// Accuracy of the contribution of edges, which is needed to 10 %.
-const EDGES_LEFT_OUT_ACCURACY: f64 = 0.1;
-
-/// Meetings of both ends in every order from `from` on.
-fn meetings(
-    scatterer: &Scatterer<'_>,
-    from: u8,
-    rule: NodeRule,
-    settings: &AspectSettings,
-) -> Vec<OrderJoints> {
-    let of_order = |order: u8| OrderJoints::of(scatterer, order, &settings.meeting(rule));
-    (from..=settings.bounces).into_par_iter().map(of_order).collect()
-}
-
-/// S by order of the meetings, then frequency.
-fn sums(
-    scatterer: &Scatterer<'_>,
-    meetings: &[OrderJoints],
-    rule: NodeRule,
-    settings: &AspectSettings,
-) -> Result<Vec<Vec<Complex64>>, BartError> {
-    let settings = &settings.with_affordable_accuracy(scatterer, meetings, rule)?;
-    Ok(meetings.par_iter().map(|meeting| of_meeting(scatterer, meeting, rule, settings).s_m).collect())
-}
-
-/// S of one order over frequency, in the requested polarization.
-fn of_meeting(
-    scatterer: &Scatterer<'_>,
-    meeting: &OrderJoints,
-    rule: NodeRule,
-    settings: &AspectSettings,
-) -> OrderContribution {
-    let (p, q) = settings.polarization.indices();
-    let sums = meeting.sums(scatterer, DVec3::ZERO, &settings.integration(rule));
-    let whole_power = sums.iter().flatten().flatten().flatten().map(Complex64::norm_sqr).sum::<f64>();
-    let whole_power = whole_power / sums[0].len().max(1) as f64;
-    let [mut s_m, edges_m] = sums.map(|sum| sum.iter().map(|s| s[p][q]).collect::<Vec<_>>());
-    s_m.iter_mut().zip(&edges_m).for_each(|(s, edges)| *s += edges);
-    let separations = match meeting.truncations.is_empty() {
-        true => SequenceSeparations::default(),
-        false => SequenceSeparations::of(scatterer, &meeting.facets),
-    };
-    OrderContribution {
-        s_m,
-        edges_m,
-        whole_power,
-        separations,
-        dropped_sections: meeting.facets.dropped_sections,
-    }
-}
-
-/// Scattering amplitude of the edges in one order.
-fn edges_of_order(scatterer: &Scatterer<'_>, order: u8, settings: &AspectSettings) -> Vec<Complex64> {
-    let (p, q) = settings.polarization.indices();
-    let meeting = settings.meeting(settings.nodes).on_edges(scatterer, order);
-    let [_, sum] = meeting.sums(scatterer, DVec3::ZERO, &settings.integration(settings.nodes));
-    sum.iter().map(|s| s[p][q]).collect()
 }
 
 /// All orders by the requested rule.
@@ -415,21 +379,38 @@ struct RequestedOrders {
     finer: Finer,
 }
 
-/// Contribution of one order.
-struct OrderContribution {
-    /// S over frequency.
-    s_m: Vec<Complex64>,
-    /// Part of it that is due to edges.
-    edges_m: Vec<Complex64>,
-    /// Power over frequency of the whole matrix, of facets and of edges, m².
-    whole_power: f64,
-    /// Separations of its double reflections from their specular points.
-    separations: SequenceSeparations,
-    /// Area of dropped overlaps, as in [`Joints::dropped_sections`](crate::joins::joint::Joints).
-    dropped_sections: [f64; 2],
-}
-
 impl Scattering {
+    /// Scattering over all frequencies from that of bands, each with the indices of its frequencies.
+    fn of_bands(mut bands: Vec<(Vec<usize>, Self)>) -> Self {
+        if bands.len() == 1 {
+            return bands.remove(0).1;
+        }
+        let count: usize = bands.iter().map(|(indices, _)| indices.len()).sum();
+        let all = |of: fn(&Self) -> f64| bands.iter().map(move |(_, s)| of(s));
+        let mean = |of: &dyn Fn(&Self) -> f64| {
+            bands.iter().map(|(indices, s)| indices.len() as f64 * of(s)).sum::<f64>() / count as f64
+        };
+        let mean_if_known = |of: fn(&Self) -> Option<f64>| {
+            bands.iter().all(|(_, s)| of(s).is_some()).then(|| mean(&|s| of(s).unwrap_or(0.0)))
+        };
+        let other: Option<Vec<_>> = bands.iter().map(|(i, s)| Some((i, s.other_m.as_ref()?))).collect();
+        Self {
+            chosen_m: of_bands(bands.iter().map(|(indices, s)| (indices, &s.chosen_m))),
+            other_m: other.map(|other| of_bands(other.into_iter())),
+            error_power: mean_if_known(|s| s.error_power),
+            left_out_power: mean_if_known(|s| s.left_out_power),
+            left_out_edges: None,
+            whole_power: mean(&|s| s.whole_power),
+            beams: Vec::new(),
+            accuracy: all(|s| s.accuracy).fold(0.0, f64::max),
+            dropped_m: mean(&|s| s.dropped_m * s.dropped_m).sqrt(),
+            dropped_at_most_m: all(|s| s.dropped_at_most_m).fold(0.0, f64::max),
+            trace_seconds: 0.0,
+            integrate_seconds: all(|s| s.integrate_seconds).sum(),
+            check_seconds: all(|s| s.check_seconds).sum(),
+        }
+    }
+
     /// Scattering amplitude of all orders at one frequency.
     pub(crate) fn total_m(&self, frequency: usize) -> Complex64 {
         total(&self.chosen_m, frequency)
@@ -470,32 +451,6 @@ impl Scattering {
     }
 }
 
-/// Mean over frequency of the power of a sum over orders.
-fn power_of(orders: &[Vec<Complex64>]) -> f64 {
-    mean_over_frequencies(orders.first().map_or(0, Vec::len), |f| total(orders, f))
-}
-
-/// Sum over orders at one frequency.
-fn total(orders: &[Vec<Complex64>], frequency: usize) -> Complex64 {
-    orders.iter().map(|order| order[frequency]).sum()
-}
-
-/// Values shifted by the difference of `to` from `from`, order by order.
-fn moved(mut of: Vec<Vec<Complex64>>, from: &[Vec<Complex64>], to: &[Vec<Complex64>]) -> Vec<Vec<Complex64>> {
-    let all = of.iter_mut().flatten().zip(from.iter().flatten().zip(to.iter().flatten()));
-    all.for_each(|(value, (from, to))| *value += to - from);
-    of
-}
-
-/// Mean over frequency of the power of a difference of sums over orders.
-fn power_between(a: &[Vec<Complex64>], b: &[Vec<Complex64>]) -> f64 {
-    mean_over_frequencies(a.first().map_or(0, Vec::len), |f| total(a, f) - total(b, f))
-}
-
-fn mean_over_frequencies(count: usize, of: impl Fn(usize) -> Complex64) -> f64 {
-    (0..count).map(|f| of(f).norm_sqr()).sum::<f64>() / count.max(1) as f64
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -505,6 +460,7 @@ mod tests {
     use artifact::radar::Polarization;
     use artifact::scene::Mesh;
     use artifact::settings::Sides;
+    use glam::DVec3;
 
     /// Two plates that reflect each other, seen from two positions.
     #[test]

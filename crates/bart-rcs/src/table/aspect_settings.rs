@@ -6,6 +6,7 @@ use crate::edges::lit_edge::tree_order_with;
 use crate::joins::affordable_accuracy::{FAR_FINER, affordable_accuracy, are_few_tiles};
 use crate::joins::join::tree_order;
 use crate::joins::scatterer::{Integration, Scatterer, bracket_of};
+use crate::mesh::wedges::edge_band::by_band;
 use crate::run_control::error::BartError;
 use crate::table::order_joints::{JointSettings, OrderJoints};
 use crate::table::rcs_request::Aspect;
@@ -33,6 +34,20 @@ impl AspectSettings {
     pub(crate) fn seen_from(&self, aspect: &Aspect) -> Self {
         let least_area_m2 = if aspect.is_along_face { 0.0 } else { self.trace.least_area_m2 };
         Self { trace: TraceSettings { least_area_m2, ..self.trace }, ..self.clone() }
+    }
+
+    /// Settings for each band in which edges are the same, with the indices of its frequencies; all together
+    /// without edges.
+    pub(crate) fn by_band(&self) -> Vec<(Vec<usize>, Self)> {
+        let mut bands = by_band(&self.wavenumbers_per_m);
+        if self.edges == Edges::Ignored || bands.is_empty() {
+            bands = vec![(0..self.wavenumbers_per_m.len()).collect()];
+        }
+        let of_band = |indices: Vec<usize>| {
+            let wavenumbers_per_m = indices.iter().map(|index| self.wavenumbers_per_m[*index]).collect();
+            (indices, Self { wavenumbers_per_m, ..self.clone() })
+        };
+        bands.into_iter().map(of_band).collect()
     }
 
     /// Maximum order of beams needed by the requested rule.

@@ -60,7 +60,7 @@ pub fn contributions(
         nodes: request.nodes,
         edges: request.edges,
         least_area_m2: settings.trace.least_area_m2,
-        wavenumber_per_m: wavenumbers_per_m.iter().copied().fold(0.0, f64::max),
+        wavenumber_per_m: wavenumbers_per_m.first().copied().unwrap_or(0.0),
     };
     let integration = Integration {
         wavenumbers_per_m: &wavenumbers_per_m[..wavenumbers_per_m.len().min(1)],
@@ -114,7 +114,7 @@ impl AspectContributions<'_> {
 
     fn of_edge(&self, joint: &EdgeJoint) -> Contribution {
         let Scatterer { world, trees, .. } = self.scatterer;
-        let edge = &world.edges(self.what.wavenumber_per_m).edges[joint.edge as usize];
+        let edge = &world.edges_in(joint.band).edges[joint.edge as usize];
         let of = |tree: &BeamTree, beam: u32| tree.sequence(&tree.beams[beam as usize]);
         let back = of(trees.receive(), joint.backward).into_iter().rev();
         let mut facets: Vec<u32> = of(trees.transmit(), joint.forward).into_iter().chain(back).collect();

@@ -10,6 +10,7 @@ use crate::run_control::cancellation::CancellationCheck;
 use crate::run_control::error::BartError;
 use crate::table::aspect::{Scattering, scattering};
 use crate::table::aspect_settings::{AspectSettings, Check, Checks, IntegralsCheck};
+use crate::table::measured_aspects::drawn_from_parts;
 use crate::table::rcs_request::{Aspect, RcsRequest, traced_aspects};
 use artifact::units::{amplitude_ratio, db_from_power};
 use num_complex::Complex64;
@@ -109,17 +110,10 @@ fn ranges_outside(world: &World) -> Vec<f64> {
     RANGES_M.into_iter().filter(|range_m| *range_m > 1.1 * radius_m).collect()
 }
 
-/// One random aspect from each of equal parts of the table, so that a body's symmetries are not met every
-/// time.
+/// One random aspect from each of equal parts of the table.
 fn chosen_aspects(aspects: usize) -> Vec<usize> {
     let count = (aspects / ASPECTS_PER_COMPARED).min(COMPARED_MOST);
-    let first = |part: usize| part * aspects / count;
-    (0..count).map(|part| first(part) + chance(part as u64, first(part + 1) - first(part))).collect()
-}
-
-/// A number below `count`, deterministic in `index`.
-fn chance(index: u64, count: usize) -> usize {
-    (artifact::seed::number(1, "bart-rcs/far-field-error", &[index]) % count.max(1) as u64) as usize
+    drawn_from_parts(aspects, count, "bart-rcs/far-field-error")
 }
 
 /// Centres of equal parts of the table's frequencies.

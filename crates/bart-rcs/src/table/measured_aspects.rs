@@ -8,6 +8,9 @@
 //! (1943) 333): those that contain the centres of equal parts of the table's power. Two of the others are
 //! measured in addition. The error of all others is taken as the larger of two: the same share of their power
 //! as for the strong ones, and as much per aspect as for those two.
+//!
+//! Errors of the model cost more. They are measured at aspects drawn regardless of power, and are relative to
+//! the power of the whole table.
 
 use crate::bodies::world::World;
 use crate::joins::band::INTERPOLATION_ERROR;
@@ -77,6 +80,44 @@ impl MeasuredAspects {
     }
 }
 
+/// Number of aspects of a table at which the node rule is compared with the other one, and the first omitted
+/// order is computed: all, or one of each of at least half as many parts. The spread is a ratio of powers
+/// over them: 32 aspects with independent phases determine it to 1/√32, 0.8 dB.
+const COMPARED_ASPECTS: usize = 64;
+
+/// Indices of the aspects at which errors of the model are measured, ascending.
+pub(crate) fn compared_aspects(aspects: usize) -> Vec<usize> {
+    let to_a_part = aspects.div_ceil(COMPARED_ASPECTS).max(1);
+    drawn_from_parts(aspects, aspects.div_ceil(to_a_part), "bart-rcs/compared-aspects")
+}
+
+/// Indices of random aspects, one from each of equal parts of a table, so that a body's symmetries are not
+/// met every time; always the same for the same purpose.
+pub(crate) fn drawn_from_parts(aspects: usize, parts: usize, purpose: &str) -> Vec<usize> {
+    let first = |part: usize| part * aspects / parts;
+    let drawn = |part: usize| {
+        let size = (first(part + 1) - first(part)).max(1) as u64;
+        first(part) + (artifact::seed::number(1, purpose, &[part as u64]) % size) as usize
+    };
+    (0..parts).map(drawn).collect()
+}
+
+/// Error of the whole table over ‖S‖, from the error power at the aspects where it was measured; `None` if it
+/// was measured nowhere.
+pub(crate) fn error_of_sample(
+    table: &[Scattering],
+    power: impl Fn(&Scattering) -> Option<f64>,
+) -> Option<f64> {
+    /// Least power of the whole over that of its error: where nothing scatters, edges that are left out
+    /// are all there is, and an error of 300 dB says so.
+    const LEAST_WHOLE: f64 = 1e-30;
+    let measured: Vec<f64> = table.iter().filter_map(power).collect();
+    let aspects_over_measured = table.len() as f64 / measured.len() as f64;
+    let whole: f64 = table.iter().map(Scattering::mean_power).sum();
+    let error_power = aspects_over_measured * measured.iter().sum::<f64>();
+    (!measured.is_empty()).then(|| amplitude_ratio(error_power, whole.max(LEAST_WHOLE * error_power)))
+}
+
 /// Indices of the strongest aspects of a table, at most `most`, ascending.
 pub(crate) fn strongest(table: &[Scattering], most: usize) -> Vec<usize> {
     let mut numbers: Vec<usize> = (0..table.len()).collect();
@@ -110,6 +151,23 @@ mod tests {
     fn drawn(powers: &[f64]) -> [Vec<usize>; 2] {
         let drawn = MeasuredAspects::by(powers);
         [drawn.strong, drawn.others]
+    }
+
+    #[test]
+    fn every_aspect_of_a_small_table_is_compared_and_of_a_large_one_few_of_a_symmetry() {
+        assert_eq!(compared_aspects(0), []);
+        for aspects in [1, 63, 64] {
+            assert_eq!(compared_aspects(aspects), (0..aspects).collect::<Vec<_>>());
+        }
+        for aspects in [65, 129, 361, 721, 5000] {
+            let compared = compared_aspects(aspects);
+            assert!((33..=64).contains(&compared.len()) && compared.is_sorted(), "{compared:?}");
+            assert!(compared.iter().all(|index| *index < aspects));
+        }
+        // Of the circle in steps of a degree, broadside and end-on are five of 361 and at most their share
+        // and two more of what is drawn.
+        let flashes = compared_aspects(361).into_iter().filter(|index| index % 90 == 0).count();
+        assert!(flashes <= 2, "{flashes}");
     }
 
     #[test]

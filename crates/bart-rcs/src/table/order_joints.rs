@@ -11,11 +11,9 @@ use crate::joins::scatterer::{Integration, Scatterer, meets_several_vehicles, sc
 use crate::joins::specular_separation::SpecularSeparation;
 use crate::table::joint_sum::sum_of_joints;
 use artifact::paths::Amplitude;
-use artifact::radar::Polarization;
 use artifact::settings::{Edges, NodeRule};
 use glam::DVec3;
 use num_complex::Complex64;
-use rayon::prelude::*;
 
 /// The joints of one order.
 pub(crate) struct OrderJoints {
@@ -32,7 +30,7 @@ pub(crate) struct JointSettings {
     pub(crate) edges: Edges,
     /// Area below which overlaps of beams are dropped.
     pub(crate) least_area_m2: f64,
-    /// Highest requested wavenumber: sides narrower than its inverse are thin.
+    /// Highest requested wavenumber: its band decides which sides are thin.
     pub(crate) wavenumber_per_m: f64,
 }
 
@@ -137,26 +135,12 @@ impl JointSettings {
         OrderJoints { facets: Joints::default(), edges, truncations: Vec::new() }
     }
 
-    /// Change by edges in all orders up to `bounces`, for a request at one wavenumber.
-    pub(crate) fn left_out_edges(
-        &self,
-        scatterer: &Scatterer<'_>,
-        bounces: u8,
-        polarization: Polarization,
-        integration: &Integration<'_>,
-    ) -> LeftOutEdges {
-        let (p, q) = polarization.indices();
-        let of_order = |order: u8| {
-            let meeting = match order {
-                2 if self.follows_ends() => OrderJoints::of(scatterer, order, self),
-                _ => self.on_edges(scatterer, order),
-            };
-            let fringes = sum_of_edges(scatterer, &meeting.edges, DVec3::ZERO, integration);
-            [fringes, meeting.ends_less_polygons(scatterer, integration)].map(|sum| sum[0][p][q])
-        };
-        let by_order: Vec<[Complex64; 2]> = (1..=bounces).into_par_iter().map(of_order).collect();
-        let [fringes, ends] = [0, 1].map(|part| by_order.iter().map(|of| of[part]).sum::<Complex64>());
-        LeftOutEdges { power: (fringes + ends).norm_sqr(), ends_power: ends.norm_sqr() }
+    /// Meeting on paths of `order` for [`OrderJoints::change_by_edges`].
+    pub(crate) fn changed_by_edges(&self, scatterer: &Scatterer<'_>, order: u8) -> OrderJoints {
+        match order {
+            2 if self.follows_ends() => OrderJoints::of(scatterer, order, self),
+            _ => self.on_edges(scatterer, order),
+        }
     }
 }
 
@@ -170,6 +154,16 @@ pub(crate) struct LeftOutEdges {
 }
 
 impl OrderJoints {
+    /// Change of S by edges over frequency: by their fringes, and by the ends of double reflections.
+    pub(crate) fn change_by_edges(
+        &self,
+        scatterer: &Scatterer<'_>,
+        integration: &Integration<'_>,
+    ) -> [Vec<Amplitude>; 2] {
+        let fringes = sum_of_edges(scatterer, &self.edges, DVec3::ZERO, integration);
+        [fringes, self.ends_less_polygons(scatterer, integration)]
+    }
+
     /// Ends at own edges, less the loss of polygons to them.
     fn ends_less_polygons(&self, scatterer: &Scatterer<'_>, integration: &Integration<'_>) -> Vec<Amplitude> {
         let sum = |joints: &Joints| sum_of_joints(scatterer, joints, DVec3::ZERO, integration);

@@ -4,6 +4,7 @@ use crate::bodies::world::World;
 use crate::edges::edge_on::{off_faces, sees_along_face};
 use crate::geometry::antenna::Antenna;
 use crate::integral::polarization::zenith_h;
+use crate::mesh::wedges::world_edges::WorldEdges;
 use artifact::Accuracy;
 use artifact::radar::Polarization;
 use artifact::settings::{Edges, NodeRule, Sides, SmallParts, Surface};
@@ -110,10 +111,11 @@ impl Aspect {
         Self { transmit: turned(self.transmit), receive: self.receive.map(turned), ..*self }
     }
 
-    /// Angle between the directions to both antennas, seen from the origin.
-    pub(crate) fn apart_rad(&self) -> f64 {
-        let towards = |antenna: Antenna| antenna.towards(DVec3::ZERO);
-        self.receive.map_or(0.0, |(receive, _)| towards(self.transmit.0).angle_between(towards(receive)))
+    /// Largest angle between the directions to both antennas, seen from a facet.
+    pub(crate) fn apart_rad(&self, world: &World) -> f64 {
+        let Some((receive, _)) = self.receive else { return 0.0 };
+        let seen_from = |x: DVec3| self.transmit.0.towards(x).angle_between(receive.towards(x));
+        world.facets().iter().map(|facet| seen_from(facet.corners_m[0])).fold(0.0, f64::max)
     }
 }
 
@@ -141,15 +143,47 @@ pub(crate) fn traced_aspects(request: &RcsRequest, world: &World) -> Vec<Aspect>
         return asked;
     }
     let edges = world.edges(request.wavenumbers_per_m().into_iter().fold(0.0, f64::max));
+    asked.into_iter().map(|asked| beside_faces(&asked, edges).unwrap_or(asked)).collect()
+}
+
+/// Aspect with its antennas moved out of the planes of faces; `None` if none sees a face along its plane.
+pub(crate) fn beside_faces(asked: &Aspect, edges: &WorldEdges) -> Option<Aspect> {
     let off = |(antenna, zenith_h): (Antenna, DVec3)| (off_faces(antenna, edges), zenith_h);
-    let aspect = |asked: Aspect| {
-        let mut antennas = [Some(asked.transmit), asked.receive].into_iter().flatten();
-        match antennas.any(|(antenna, _)| sees_along_face(antenna, edges)) {
-            true => {
-                Aspect { transmit: off(asked.transmit), receive: asked.receive.map(off), is_along_face: true }
-            }
-            false => asked,
+    let mut antennas = [Some(asked.transmit), asked.receive].into_iter().flatten();
+    let is_along_face = antennas.any(|(antenna, _)| sees_along_face(antenna, edges));
+    is_along_face.then(|| Aspect {
+        transmit: off(asked.transmit),
+        receive: asked.receive.map(off),
+        is_along_face,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use artifact::scene::Mesh;
+    use std::f64::consts::FRAC_PI_2;
+
+    #[test]
+    fn the_bistatic_angle_is_that_at_the_body_wherever_its_origin_is() {
+        let body = |x_m: f64| {
+            let vertices_m = vec![[x_m, 0.0, 0.0], [x_m, 0.01, 0.0], [x_m, 0.0, 0.01]];
+            World::of_mesh(&Mesh { vertices_m, triangles: vec![[0, 1, 2]], ..Mesh::default() }).unwrap()
+        };
+        let end = |antenna: Antenna| (antenna, DVec3::Y);
+        let aspect = |transmit: Antenna, receive: Antenna| Aspect {
+            transmit: end(transmit),
+            receive: Some(end(receive)),
+            is_along_face: false,
+        };
+        for x_m in [0.0, -8.0, 30.0] {
+            let at = |y_m: f64| Antenna::Point(DVec3::new(x_m + 1.0, y_m, 0.0));
+            let apart_rad = aspect(at(1.0), at(-1.0)).apart_rad(&body(x_m));
+            // Corners of coordinates up to 30 m are rounded by 4e-15 m.
+            assert!((apart_rad - FRAC_PI_2).abs() < 1e-13, "{x_m}: {apart_rad}");
+            let far = aspect(Antenna::Direction(DVec3::X), Antenna::Direction(DVec3::Y));
+            assert!((far.apart_rad(&body(x_m)) - FRAC_PI_2).abs() < 1e-13);
+            assert_eq!(Aspect { receive: None, ..far }.apart_rad(&body(x_m)), 0.0);
         }
-    };
-    asked.into_iter().map(aspect).collect()
+    }
 }

@@ -16,7 +16,9 @@ use crate::table::aspect_settings::{AspectSettings, Check, Checks, IntegralsChec
 use crate::table::checkpoint::{CheckpointKey, CheckpointStore, NoCheckpoint};
 use crate::table::far_field_error::{FarFieldError, far_field_error};
 use crate::table::finer_mirrors::{FinerMirrors, dropped_error};
-use crate::table::measured_aspects::{ALL_UP_TO, MeasuredAspects, interpolation_error, measured_error};
+use crate::table::measured_aspects::{
+    ALL_UP_TO, MeasuredAspects, compared_aspects, error_of_sample, interpolation_error, measured_error,
+};
 use crate::table::rcs_request::{Aspect, RcsRequest, traced_aspects};
 use crate::table::skin_comparison::{SkinComparison, skin};
 use artifact::scene::Mesh;
@@ -51,7 +53,7 @@ pub struct RcsResult {
     /// Errors of the physical model, over the table.
     pub model_error: ModelError,
     /// Node spread per order from 1: ‖S − S(by the other node rule)‖ of that order over ‖S‖ of all, where the
-    /// other rule is exit, and middle for exit; over 32 to 64 aspects of a larger table.
+    /// other rule is exit, and middle for exit; measured at 33 to 64 aspects of a larger table.
     pub node_spread: Vec<f64>,
     /// Largest sum over one aspect of the maximum scattering of dropped beams, over the table's root mean
     /// square |S|.
@@ -94,8 +96,8 @@ pub struct RcsSeconds {
 /// at every aspect of a table of up to eight, where the finer ones are the result, and at up to six of a
 /// larger one, including the strongest. If it exceeds the requested accuracy, everything is integrated more
 /// finely. If the dropped part exceeds it, the aspects that drop too much are retraced with smaller mirrors,
-/// at most three times and as far as memory permits. The node rule is compared with the other one at every
-/// n-th aspect of a table of more than 64.
+/// at most three times and as far as memory permits. Errors of the model are measured at 33 to 64 aspects of
+/// a table of more than 64, one drawn from each of equal parts, and are relative to the whole table.
 pub fn rcs(
     mesh: &Mesh,
     request: &RcsRequest,
@@ -177,6 +179,7 @@ pub fn rcs_within(
     let sweep = SharedByAspects {
         world: &world,
         aspects: &aspects,
+        compared: compared_aspects(aspects.len()),
         edges: request.edges,
         received: received.as_ref(),
         context,
@@ -280,11 +283,6 @@ pub(crate) fn aspect_settings(request: &RcsRequest, world: &World, accuracy: f64
     }
 }
 
-/// Number of aspects of a table at which the node rule is compared with the other one, and the first omitted
-/// order is computed: all, or every n-th so that at least half as many are. The spread is a ratio of powers
-/// over them: 32 aspects with independent phases determine it to 1/√32, 0.8 dB.
-const COMPARED_ASPECTS: usize = 64;
-
 /// Offset of the numbers of measuring passes, which follow those that make the table.
 const MEASURING: u32 = 1 << 16;
 
@@ -293,6 +291,8 @@ const MEASURING: u32 = 1 << 16;
 struct SharedByAspects<'a> {
     world: &'a World,
     aspects: &'a [Aspect],
+    /// Indices of the aspects at which errors of the model are measured, ascending.
+    compared: Vec<usize>,
     edges: Edges,
     /// Tree of a stationary receiver, which does not depend on the aspect.
     received: Option<&'a BeamTree>,
@@ -445,7 +445,7 @@ impl SharedByAspects<'_> {
     }
 
     fn checks(&self, index: usize, integrals: IntegralsCheck) -> Checks {
-        let is_compared = index.is_multiple_of(self.aspects.len().div_ceil(COMPARED_ASPECTS));
+        let is_compared = self.compared.binary_search(&index).is_ok();
         Checks {
             integrals: if self.is_exact(index) { IntegralsCheck::Skipped } else { integrals },
             model: if is_compared { Check::Measured } else { Check::Skipped },
@@ -480,11 +480,7 @@ fn result(request: &RcsRequest, table: &[Scattering], build: f64) -> RcsResult {
         (0..values).flat_map(|f| table.iter().map(move |s| (s, f))).map(|(s, f)| of(s, f)).collect::<Vec<_>>()
     };
     let power = table.iter().map(Scattering::mean_power).sum::<f64>();
-    let compared = || table.iter().filter(|s| s.node_spread_power().is_some());
-    let compared_power = compared().map(Scattering::mean_power).sum::<f64>();
-    let spread = |of: &dyn Fn(&Scattering) -> Option<f64>| {
-        amplitude_ratio(compared().filter_map(of).sum::<f64>(), compared_power)
-    };
+    let spread = |order: usize| error_of_sample(table, |s| s.order_spread_power(order)).unwrap_or(0.0);
     let most_m = table.iter().map(|s| s.dropped_at_most_m).fold(0.0, f64::max);
     let without_error = RcsResult {
         amplitude_m: transposed(&|s, f| s.total_m(f)),
@@ -509,22 +505,15 @@ fn result(request: &RcsRequest, table: &[Scattering], build: f64) -> RcsResult {
             ..ErrorBudget::default()
         },
         model_error: ModelError {
-            nodes: Some(spread(&Scattering::node_spread_power)),
-            bounces: left_out(table, |s| s.left_out_power),
-            edges: left_out(table, |s| s.left_out_edges.map(|edges| edges.power)),
+            nodes: error_of_sample(table, Scattering::node_spread_power),
+            bounces: error_of_sample(table, |s| s.left_out_power),
+            edges: error_of_sample(table, |s| s.left_out_edges.map(|edges| edges.power)),
             ..ModelError::default()
         },
-        node_spread: (0..orders).map(|order| spread(&|s| s.order_spread_power(order))).collect(),
+        node_spread: (0..orders).map(spread).collect(),
         dropped_at_most: amplitude_ratio(most_m * most_m, power / table.len() as f64),
         ..without_error
     }
-}
-
-/// Ratio of the omitted ‖S‖ to ‖S‖, over the aspects where it was measured.
-fn left_out(table: &[Scattering], power: impl Fn(&Scattering) -> Option<f64>) -> Option<f64> {
-    let measured = || table.iter().filter_map(|s| power(s).map(|power| (power, s.mean_power())));
-    let (left_out, all) = measured().fold((0.0, 0.0), |sum, (left_out, all)| (sum.0 + left_out, sum.1 + all));
-    measured().next().map(|_| amplitude_ratio(left_out, all))
 }
 
 /// Power of the first omitted order if orders continue to decay like the last two, without assuming growth;

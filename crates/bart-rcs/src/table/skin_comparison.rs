@@ -51,7 +51,7 @@ impl SkinComparison<'_> {
         let compared = strongest(self.table, COMPARED);
         for &index in &compared {
             self.cancellation.check()?;
-            apart_rad = apart_rad.max(self.aspects[index].apart_rad());
+            apart_rad = apart_rad.max(self.aspects[index].apart_rad(world));
             let found = scattering(&coarser, &self.aspects[index], &settings, UNCHECKED)?;
             differing += found.difference(&self.table[index]);
             whole += self.table[index].mean_power();

@@ -291,7 +291,7 @@ impl MirrorProbe<'_> {
     ) -> f64 {
         let sample = &self.samples[sample];
         let mirror = &self.tree(sample.end).beams[sample.mirrors[place] as usize];
-        let edge = &self.scatterer.world.edges(self.wavenumber_per_m).edges[joint.edge as usize];
+        let edge = &self.scatterer.world.edges_in(joint.band).edges[joint.edge as usize];
         let [from_m, to_m] = joint.span_m;
         let middle = 0.5 * (from_m + to_m);
         let towards = self.tree(end).beams[beam as usize].image.towards(edge.point_m(middle));

@@ -4,9 +4,11 @@
     reason = "a test fails by panicking; clippy knows only functions marked as tests"
 )]
 
+mod bands;
 mod left_out;
 mod near_by;
 mod seams;
+mod surfaces;
 
 use artifact::Accuracy;
 use artifact::radar::Polarization;

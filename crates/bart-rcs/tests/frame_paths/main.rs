@@ -10,6 +10,7 @@ mod bodies;
 mod flat_sides;
 mod frames;
 mod patterns;
+mod point_targets;
 mod sidelobes;
 mod sliding_outlines;
 mod small_parts;

@@ -47,7 +47,7 @@ impl Layout {
                 known: ARCHITECTURE,
             });
         }
-        check_classes(header)?;
+        check_answers(header)?;
         check_sides(&shape.format, shape.input_side)?;
         let [crop_side, input_side] = [shape.format.side as usize, shape.input_side as usize];
         Ok(Self { crop_side, input_side, channels: checked_channels(&shape.channels)? })
@@ -80,13 +80,21 @@ impl Layout {
     }
 }
 
-/// Refuses a model whose classes are not the four in their order.
-pub(crate) fn check_classes(header: &ModelHeader) -> Result<(), ClassifierError> {
-    if header.classes == Class::ALL {
-        Ok(())
-    } else {
-        Err(ClassifierError::Classes { found: header.classes.clone() })
+/// Refuses a model whose classes are not the four in their order, or whose rule for answers is none: a least
+/// probability or a correlation of frames that is not from 0 to 1.
+pub(crate) fn check_answers(header: &ModelHeader) -> Result<(), ClassifierError> {
+    if header.classes != Class::ALL {
+        return Err(ClassifierError::Classes { found: header.classes.clone() });
     }
+    check_share("least_probability", header.least_probability)?;
+    check_share("frame_correlation", header.frame_correlation)
+}
+
+fn check_share(setting: &'static str, found: f32) -> Result<(), ClassifierError> {
+    if (0.0..=1.0).contains(&found) {
+        return Ok(());
+    }
+    Err(ClassifierError::Setting { setting, rule: "from 0 to 1", found: f64::from(found) })
 }
 
 fn check_sides(format: &CropFormat, input_side: u32) -> Result<(), ClassifierError> {
@@ -114,5 +122,32 @@ fn checked_channels(channels: &[u32]) -> Result<[usize; 3], ClassifierError> {
             Ok([a as usize, b as usize, c as usize])
         }
         _ => Err(ClassifierError::Channels { found: channels.to_vec(), limit: CHANNELS_LIMIT }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_rule_for_answers_that_is_no_share_is_refused_by_its_name() {
+        let answers = |least_probability: f32, frame_correlation: f32| {
+            let learner = Learner::BoostedTrees { features: vec![] };
+            let (classes, attributions) = (Class::ALL.to_vec(), vec![]);
+            check_answers(&ModelHeader {
+                classes,
+                learner,
+                least_probability,
+                frame_correlation,
+                attributions,
+            })
+            .map_err(|error| error.to_string())
+        };
+        assert!(answers(0.0, 1.0).is_ok() && answers(1.0, 0.0).is_ok());
+        let refused = |setting: &str, found: &str| Err(format!("{setting} must be from 0 to 1, is {found}"));
+        assert_eq!(answers(1.5, 0.5), refused("least_probability", "1.5"));
+        assert_eq!(answers(f32::NAN, 0.5), refused("least_probability", "NaN"));
+        assert_eq!(answers(0.5, -0.25), refused("frame_correlation", "-0.25"));
+        assert_eq!(answers(0.5, f32::INFINITY), refused("frame_correlation", "inf"));
     }
 }

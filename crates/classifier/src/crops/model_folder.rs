@@ -12,8 +12,11 @@ pub const WEIGHTS_FILE: &str = "weights.model";
 pub const METRICS_FILE: &str = "metrics.json";
 /// Name of the training curves in a model folder.
 pub const CURVES_FILE: &str = "curves.csv";
+/// Columns of the training curves of the paper's network.
+pub const NETWORK_CURVE_COLUMNS: &str =
+    "iteration,learning_rate,train_log_loss,train_accuracy,validation_log_loss,validation_accuracy";
 
-/// Names of all files of a model folder.
+/// Names of all files of a model folder, in the order of their writing.
 pub const MODEL_FILES: [&str; 3] = [METRICS_FILE, CURVES_FILE, WEIGHTS_FILE];
 
 /// Reads a model from its folder or from the artifact itself.

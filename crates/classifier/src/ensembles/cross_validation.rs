@@ -9,6 +9,9 @@ use artifact::dataset::Split;
 use artifact::settings::Class;
 use std::collections::BTreeMap;
 
+/// Splits that train: vehicles held out in turn validate.
+pub(crate) const TRAINING_SPLITS: [Split; 2] = [Split::Train, Split::Validation];
+
 /// Numbers of the sightings for training, and of those among them that measure the accuracy.
 pub(crate) struct CrossValidationSets {
     pub(crate) training: Vec<usize>,
@@ -18,7 +21,7 @@ pub(crate) struct CrossValidationSets {
 impl CrossValidationSets {
     /// All sightings except those of the test split; refused if a class is missing.
     pub(crate) fn of(sightings: &Sightings) -> Result<Self, ClassifierError> {
-        let training = sightings.of(&[Split::Train, Split::Validation]);
+        let training = sightings.of(&TRAINING_SPLITS);
         check_classes(sightings, &training)?;
         Ok(Self { scored: scored(sightings, &training), training })
     }

@@ -1,7 +1,7 @@
 //! Class probabilities of signatures, by boosted trees, by networks over range cells, or by both.
 
 use crate::crops::classify::softmax;
-use crate::crops::layout::check_classes;
+use crate::crops::layout::check_answers;
 use crate::crops::model_folder::load_model;
 use crate::crops::network::Logits;
 use crate::ensembles::trees;
@@ -25,19 +25,17 @@ impl SignatureClassifier {
     /// Takes the parameters of a model; refused if they use inputs that this program does not have, or are
     /// malformed.
     pub fn from_model(header: &ModelHeader, weights: &Weights) -> Result<Self, ClassifierError> {
+        check_answers(header)?;
         match (&header.learner, weights) {
             (Learner::BoostedTrees { features }, Weights::Trees(trees)) => {
-                check_classes(header)?;
                 check_names(features, &names())?;
                 trees::check(trees, names().len())?;
             }
             (Learner::ProfileNetworks(shape), Weights::Profile(networks)) => {
-                check_classes(header)?;
                 check_shape(shape)?;
                 profile_network::check(networks)?;
             }
             (Learner::TreesAndNetworks { features, shape }, Weights::Both { trees, networks }) => {
-                check_classes(header)?;
                 check_names(features, &names())?;
                 check_shape(shape)?;
                 trees::check(trees, names().len())?;
@@ -119,6 +117,33 @@ fn check_shape(found: &ProfileShape) -> Result<(), ClassifierError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::signatures::cells::shape;
+    use artifact::model::BoostedTrees;
+
+    #[test]
+    fn a_model_of_any_learner_whose_rule_for_answers_is_no_share_is_refused() {
+        let features = || names().into_iter().map(str::to_owned).collect();
+        let learners = [
+            Learner::BoostedTrees { features: features() },
+            Learner::ProfileNetworks(shape()),
+            Learner::TreesAndNetworks { features: features(), shape: shape() },
+        ];
+        let trees = BoostedTrees { prior: [0.0; 4], temperature: 1.0, trees: vec![] };
+        for learner in learners {
+            let (classes, attributions) = (Class::ALL.to_vec(), vec![]);
+            let header = ModelHeader {
+                classes,
+                learner,
+                least_probability: 2.0,
+                frame_correlation: 0.5,
+                attributions,
+            };
+            let refused = SignatureClassifier::from_model(&header, &Weights::Trees(trees.clone()));
+            let is_by_name =
+                matches!(refused, Err(ClassifierError::Setting { setting: "least_probability", .. }));
+            assert!(is_by_name, "{}", header.learner.name());
+        }
+    }
 
     #[test]
     fn the_mean_of_two_answers_lies_between_them_and_of_equal_ones_is_the_same() {

@@ -20,6 +20,17 @@ pub enum SignatureTraining {
 }
 
 impl SignatureTraining {
+    /// The settings as a training on these sightings uses them: with few, a leaf of a tree requires fewer.
+    pub fn adapted_to(&self, sightings: &Sightings) -> Self {
+        match self {
+            Self::Trees(settings) => Self::Trees(settings.adapted_to(sightings)),
+            Self::Profile(settings) => Self::Profile(*settings),
+            Self::Both(settings) => {
+                Self::Both(CombinedSettings { trees: settings.trees.adapted_to(sightings), ..*settings })
+            }
+        }
+    }
+
     /// Trains on all sightings except those of the test split; progress is reported as (rounds done, rounds
     /// in all).
     ///

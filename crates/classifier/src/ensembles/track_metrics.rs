@@ -31,6 +31,16 @@ fn best_correlation(tracks: &[Track<'_>]) -> f64 {
     steps.min_by(|a, b| loss(*a).total_cmp(&loss(*b))).unwrap_or(1.0)
 }
 
+/// Lower limit of a frame's probabilities in the sums over a track: a few other frames outweigh one that is
+/// sure and wrong.
+const LEAST_PROBABILITY: f64 = 1e-3;
+
+/// Evidence of a track's class in one of its frames, from the logarithms of the frame's probabilities; that
+/// of all its frames is summed.
+pub fn track_evidence(log_probabilities: [f64; 4]) -> [f64; 4] {
+    log_probabilities.map(|log| log.max(LEAST_PROBABILITY.ln()))
+}
+
 /// Combined answers of the frames of one track.
 struct Track<'a> {
     class: usize,
@@ -51,7 +61,7 @@ fn tracks<'a>(seen: &[&'a Sighting], logits: &[Logits]) -> Vec<Track<'a>> {
     for (seen, logits) in seen.iter().zip(logits) {
         let new = Track { class: seen.class, model: &seen.model, log_sums: [0.0; 4], frames: 0.0 };
         let track = tracks.entry(seen.track).or_insert(new);
-        let logs = log_softmax(logits.map(f64::from));
+        let logs = track_evidence(log_softmax(logits.map(f64::from)));
         track.log_sums.iter_mut().zip(logs).for_each(|(sum, log)| *sum += log);
         track.frames += 1.0;
     }
@@ -92,6 +102,7 @@ fn classification_metrics(answers: &[(usize, &str)], logits: &[Logits]) -> Class
 #[cfg(test)]
 mod tests {
     use super::*;
+    use artifact::dataset::Split;
 
     fn track(class: usize, frames: f64) -> Track<'static> {
         Track {
@@ -107,5 +118,25 @@ mod tests {
         let lone = [track(0, 1.0), track(1, 1.0)];
         assert_eq!(best_correlation(&lone), 1.0);
         assert_eq!(lone[0].joined(0.0), lone[0].joined(1.0));
+    }
+
+    #[test]
+    fn a_frame_that_is_sure_and_wrong_is_outweighed_by_two_that_are_nearly_sure() {
+        let seen = Sighting {
+            features: vec![],
+            cells: vec![],
+            class: 0,
+            model: "a".into(),
+            track: (0, 0, 0),
+            split: Split::Train,
+            has_rows: false,
+        };
+        let p = |first: f32| [first, 1.0 - first, 0.0, 0.0].map(|p: f32| p.max(1e-9).ln());
+        let logits = [p(1e-9), p(0.99), p(0.99)];
+        let [(_, [right, wrong, ..])] = track_logits(&[&seen; 3], &logits, 0.0)[..] else {
+            panic!("a track")
+        };
+        assert!((f64::from(right) - (1e-3_f64 * 0.99 * 0.99).ln()).abs() < 1e-3, "{right}");
+        assert!(right > wrong, "{right} {wrong}");
     }
 }

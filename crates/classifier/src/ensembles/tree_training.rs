@@ -5,7 +5,7 @@
 use crate::crops::network::Logits;
 use crate::ensembles::boosting::{BoostingSettings, TrainingTable, boosted};
 use crate::ensembles::cross_validation::{
-    CrossValidationSets, HeldOutLogits, cross_validate, progress_counter,
+    CrossValidationSets, HeldOutLogits, TRAINING_SPLITS, cross_validate, progress_counter,
 };
 use crate::ensembles::trained_model::{ModelCalibration, TrainedModel};
 use crate::ensembles::trees::leaf;
@@ -50,9 +50,10 @@ impl TreeSettings {
         self.boosting.rounds as usize * (self.folds + MEMBERS as usize)
     }
 
-    /// Settings with leaves suitable for this number of sightings.
-    fn for_so_many(&self, sightings: usize) -> Self {
-        let least_weight = self.boosting.least_weight.min(LEAST_OF_A_LEAF * sightings as f64);
+    /// Settings with leaves suitable for the number of these sightings that train.
+    pub(crate) fn adapted_to(&self, sightings: &Sightings) -> Self {
+        let training = sightings.of(&TRAINING_SPLITS).len();
+        let least_weight = self.boosting.least_weight.min(LEAST_OF_A_LEAF * training as f64);
         Self { boosting: BoostingSettings { least_weight, ..self.boosting }, ..*self }
     }
 }
@@ -98,7 +99,7 @@ pub(crate) fn trained_trees(
     seed: u64,
     tick: &mut dyn FnMut(),
 ) -> TrainedTrees {
-    let settings = &settings.for_so_many(training.len());
+    let settings = &settings.adapted_to(sightings);
     let rounds = settings.boosting.rounds as usize;
     let mut train_on_fold = |kept: &[usize], asked: &[usize]| {
         let (mut sums, mut logits_of_rounds) = (vec![[0.0_f32; 4]; asked.len()], Vec::with_capacity(rounds));

@@ -31,13 +31,12 @@ pub(crate) struct Censoring {
     whole: [i64; 2],
     channels: usize,
     false_alarm_rate: f64,
-    /// Number of cells over which both windows spread the noise of one.
+    /// Number of cells whose noise power both windows correlate: that many count as one.
     per_independent: f64,
 }
 
 impl Censoring {
-    /// Takes the training cells of a header; noise in one cell spreads through its windows over
-    /// `per_independent` cells.
+    /// Takes the training cells of a header, of which the windows make `per_independent` count as one.
     ///
     /// Detectors other than the averaging ones (`ca-cfar`, `go-cfar`) handle several echoes in their own way
     /// and keep their mask. So does Doppler division: the cells missing from its mask are the other

@@ -14,7 +14,7 @@
 use crate::detection::images::conjugate_row;
 use crate::spectrum::division::Division;
 use crate::spectrum::doppler_bands::band_cycles;
-use crate::spectrum::window::response;
+use crate::spectrum::window::fine_transform;
 use artifact::Radar;
 use artifact::radar::{Multiplexing, Sampling};
 use num_complex::Complex64;
@@ -22,8 +22,8 @@ use std::f64::consts::TAU;
 
 /// Shares of power by distance in cells.
 pub(crate) struct Leakage {
-    doppler: Vec<f64>,
-    range: Vec<f64>,
+    doppler: AxisLeakage,
+    range: AxisLeakage,
     /// Whether echoes have conjugates.
     has_images: bool,
 }
@@ -43,66 +43,111 @@ impl Leakage {
             Multiplexing::Simultaneous | Multiplexing::Tdm | Multiplexing::Bpm => 1,
         };
         let has_images = radar.waveform.sampling == Sampling::Real;
-        let of_rows = || worst_shares(doppler, bands, band_cycles(&division, 1));
+        let of_rows = || AxisLeakage::of(doppler, bands, band_cycles(&division, 1));
         let is_staggered = bands == 1 && !radar.schedule.is_uniform();
         Self {
-            doppler: if is_staggered { worst_staggered_shares(radar, doppler) } else { of_rows() },
-            range: worst_shares(range, 1, 0.0),
+            doppler: if is_staggered { AxisLeakage::of_staggered(radar, doppler) } else { of_rows() },
+            range: AxisLeakage::of(range, 1, 0.0),
             has_images,
         }
     }
 
     /// Maximum share of the power of one cell, [doppler, range], in another.
     pub(crate) fn share(&self, from: [usize; 2], at: [usize; 2]) -> f64 {
-        let direct = self.between(from, at);
+        self.with_conjugate(self.between(from, at), from, at)
+    }
+
+    /// [`Self::share`] in a cell beyond the main lobe of a peak that lies at `peak` between cells, next to
+    /// `from`; `None` within the lobe.
+    pub(crate) fn share_beyond_lobe(&self, from: [usize; 2], peak: [f64; 2], at: [usize; 2]) -> Option<f64> {
+        let axes = [&self.doppler, &self.range];
+        let away = [0, 1].map(|i: usize| peak[i] - at[i] as f64);
+        if axes.iter().zip(away).all(|(axis, cells)| axis.is_within_lobe(cells)) {
+            return None;
+        }
+        let along = |i: usize| axes[i].shares_at(away[i])[from[i].abs_diff(at[i])];
+        Some(self.with_conjugate(along(0) * along(1), from, at))
+    }
+
+    /// Adds the share of the echo's conjugate, if it has one: in phase, the worst case.
+    fn with_conjugate(&self, direct: f64, from: [usize; 2], at: [usize; 2]) -> f64 {
         if !self.has_images {
             return direct;
         }
-        let (rows, columns) = (self.doppler.len(), self.range.len());
+        let (rows, columns) = (self.doppler.shares.len(), self.range.shares.len());
         let conjugate = [conjugate_row(from[0], rows), (columns - from[1]) % columns];
-        // Worst case: in phase.
         (direct.sqrt() + self.between(conjugate, at).sqrt()).powi(2)
     }
 
     fn between(&self, from: [usize; 2], at: [usize; 2]) -> f64 {
-        self.doppler[from[0].abs_diff(at[0])] * self.range[from[1].abs_diff(at[1])]
+        self.doppler.shares[from[0].abs_diff(at[0])] * self.range.shares[from[1].abs_diff(at[1])]
     }
 }
 
-/// Maximum share of a peak's power that its window leaks into a cell at each distance, over all offsets of
-/// the tone; for `bands` bands, each `band_cycles` of the axis behind the one before.
-fn worst_shares(taper: &[f64], bands: usize, band_cycles: f64) -> Vec<f64> {
-    let (length, per_cell) = (taper.len(), OFFSETS as usize);
-    let fine = fine_response(taper);
-    let band_steps = (band_cycles * fine.len() as f64).round() as i64;
-    let sidelobes = Sidelobes { lobe: main_lobe(&fine), fine: &fine, band_steps };
-    let worst = |lag: usize| {
-        let offsets = -OFFSETS / 2..=OFFSETS / 2;
-        let share = |offset: i32| {
-            let offset = i64::from(offset);
-            let own = sidelobes.at(offset).max(f64::MIN_POSITIVE);
-            sidelobes.over_bands((lag * per_cell) as i64 - offset, bands) / own
-        };
-        offsets.map(share).fold(FLOOR, f64::max).min(1.0)
-    };
-    (0..length).map(worst).collect()
+/// Maximum shares of a peak's power that a window leaks along an axis, by distance in cells, over all offsets
+/// of the tone from its cell.
+struct AxisLeakage {
+    shares: Vec<f64>,
+    /// Shares over those offsets alone that put a cell beyond the main lobe.
+    sidelobes: Vec<f64>,
+    /// Half width of the main lobe, cells.
+    lobe_cells: f64,
 }
 
-/// [`worst_shares`] of staggered chirps: the largest over all transmitters, whose chirps may have other
-/// delays. An echo is assumed to be as fast as the map shows it.
-fn worst_staggered_shares(radar: &Radar, taper: &[f64]) -> Vec<f64> {
-    let rows = taper.len();
-    let of_transmitter = |tx: usize| {
-        let fine = staggered_response(radar, tx, taper);
-        let at = |steps: i32| fine[steps.unsigned_abs() as usize];
-        let worst = |row: usize| {
-            let share = |offset: i32| at(row as i32 * OFFSETS - offset) / at(offset).max(f64::MIN_POSITIVE);
-            (-OFFSETS / 2..=OFFSETS / 2).map(share).fold(FLOOR, f64::max).min(1.0)
+impl AxisLeakage {
+    /// Leakage under a window with `bands` bands, each `band_cycles` of the axis behind the one before.
+    fn of(taper: &[f64], bands: usize, band_cycles: f64) -> Self {
+        let fine = fine_response(taper);
+        let band_steps = (band_cycles * fine.len() as f64).round() as i64;
+        let lobe = main_lobe(&fine);
+        let response = Sidelobes { lobe, fine: &fine, band_steps };
+        let share = |steps: i64, offset: i64| {
+            response.over_bands(steps, bands) / response.at(offset).max(f64::MIN_POSITIVE)
         };
-        (0..rows).map(worst).collect::<Vec<f64>>()
-    };
-    let larger = |a: Vec<f64>, b: Vec<f64>| a.into_iter().zip(b).map(|(a, b)| a.max(b)).collect();
-    (0..radar.array.tx_m.len()).map(of_transmitter).fold(vec![FLOOR; rows], larger)
+        Self::worst(taper.len(), lobe, share)
+    }
+
+    /// Leakage of staggered chirps: the largest over all transmitters, whose chirps may have other delays. An
+    /// echo is assumed to be as fast as the map shows it.
+    fn of_staggered(radar: &Radar, taper: &[f64]) -> Self {
+        let lobe = main_lobe(&fine_response(taper));
+        let responses: Vec<Vec<f64>> =
+            (0..radar.array.tx_m.len()).map(|tx| staggered_response(radar, tx, taper)).collect();
+        let share = |steps: i64, offset: i64| {
+            let of = |fine: &Vec<f64>| {
+                let [there, here] = [steps, offset].map(|steps| fine[steps.unsigned_abs() as usize]);
+                there / here.max(f64::MIN_POSITIVE)
+            };
+            responses.iter().map(of).fold(0.0, f64::max)
+        };
+        Self::worst(taper.len(), lobe, share)
+    }
+
+    /// Maxima of a share, given the steps from the tone to the cell, and to its own cell.
+    fn worst(cells: usize, lobe: i64, share: impl Fn(i64, i64) -> f64) -> Self {
+        let circle = cells as i64 * i64::from(OFFSETS);
+        let over = |lag: usize, nearest: i64| {
+            let half = i64::from(OFFSETS / 2);
+            let steps = (-half..=half).map(|offset| (lag as i64 * i64::from(OFFSETS) - offset, offset));
+            let far = steps.filter(|(steps, _)| around(*steps, circle) >= nearest);
+            far.map(|(steps, offset)| share(steps, offset)).fold(FLOOR, f64::max).min(1.0)
+        };
+        Self {
+            shares: (0..cells).map(|lag| over(lag, 0)).collect(),
+            sidelobes: (0..cells).map(|lag| over(lag, lobe)).collect(),
+            lobe_cells: lobe as f64 / f64::from(OFFSETS),
+        }
+    }
+
+    fn is_within_lobe(&self, cells: f64) -> bool {
+        let cells = cells.abs();
+        cells.min(self.shares.len() as f64 - cells) < self.lobe_cells
+    }
+
+    /// Shares of a cell this far from the tone: those of the sidelobes beyond the main lobe.
+    fn shares_at(&self, cells: f64) -> &[f64] {
+        if self.is_within_lobe(cells) { &self.shares } else { &self.sidelobes }
+    }
 }
 
 /// Power |Σ w_m·e^{j2πd(m/N + δ_m/NT)}|²/N² of the chirps of one transmitter, δ_m after those of equal
@@ -165,10 +210,14 @@ impl Sidelobes<'_> {
     }
 
     fn is_sidelobe(&self, steps: i64) -> bool {
-        let circle = self.fine.len() as i64;
-        let around = steps.rem_euclid(circle);
-        around.min(circle - around) > self.lobe
+        around(steps, self.fine.len() as i64) > self.lobe
     }
+}
+
+/// Distance from 0 on a circle, the shorter way round.
+fn around(steps: i64, circle: i64) -> i64 {
+    let forwards = steps.rem_euclid(circle);
+    forwards.min(circle - forwards)
 }
 
 /// Steps from the centre of a response to its first null.
@@ -178,13 +227,8 @@ fn main_lobe(fine: &[f64]) -> i64 {
 
 /// Response in steps of an eighth of a cell.
 fn fine_response(taper: &[f64]) -> Vec<f64> {
-    let length = taper.len() * OFFSETS as usize;
-    let mut spectrum: Vec<Complex64> = taper.iter().map(|w| (*w).into()).collect();
-    spectrum.resize(length, Complex64::ZERO);
-    rustfft::FftPlanner::new().plan_fft_forward(length).process(&mut spectrum);
     let scale = (taper.len() as f64).powi(-2);
-    debug_assert!((spectrum[0].norm_sqr() * scale - response(taper, 0.0)).abs() < 1e-9);
-    spectrum.iter().map(|v| v.norm_sqr() * scale).collect()
+    fine_transform(taper, OFFSETS as usize).iter().map(|v| v.norm_sqr() * scale).collect()
 }
 
 #[cfg(test)]
@@ -199,7 +243,8 @@ mod tests {
     #[test]
     fn sidelobes_of_three_transmitters_in_phase_are_nine_times_those_of_one() {
         let window = taper(Window::Chebyshev(60.0), 256).unwrap();
-        let (one, three) = (worst_shares(&window, 1, 0.0), worst_shares(&window, 3, 0.25));
+        let [one, three] =
+            [(1, 0.0), (3, 0.25)].map(|(bands, cycles)| AxisLeakage::of(&window, bands, cycles).shares);
         // Level of the sidelobes, far from the folds at 64, 128 and 192 cells.
         for lag in [20, 32, 40, 96, 100, 160] {
             let ratio = three[lag] / one[lag];
@@ -221,7 +266,7 @@ mod tests {
             let sum: Complex64 = (0..32).map(|m| Complex64::cis(TAU * turns(m)) * window[m] / 32.0).sum();
             assert!((told - sum.norm_sqr()).abs() < 1e-12, "{step}: {told}, {}", sum.norm_sqr());
         }
-        let shares = worst_staggered_shares(&radar, &window);
+        let AxisLeakage { shares, .. } = AxisLeakage::of_staggered(&radar, &window);
         // |1 − e^{jπδ/T}|²/4 half a span away.
         let image = (1.0 - Complex64::cis(PI * 10e-6 / interval_s)).norm_sqr() / 4.0;
         assert!((shares[16] / image - 1.0).abs() < 0.3, "{} and {image}", shares[16]);
@@ -230,12 +275,12 @@ mod tests {
 
     #[test]
     fn a_conjugate_lies_on_the_other_side_of_both_zeros() {
-        let hann = |length| worst_shares(&taper(Window::Hann, length).unwrap(), 1, 0.0);
+        let hann = |length| AxisLeakage::of(&taper(Window::Hann, length).unwrap(), 1, 0.0);
         for rows in [15, 16] {
             let leakage = Leakage { doppler: hann(rows), range: hann(64), has_images: true };
             // Three cells above zero velocity, two from range 0: the conjugate is three below and two before.
             let image = leakage.share([rows / 2 + 3, 2], [rows / 2 - 3, 0]);
-            assert!((image / hann(64)[2] - 1.0).abs() < 0.1, "{rows} rows: {image}");
+            assert!((image / hann(64).shares[2] - 1.0).abs() < 0.1, "{rows} rows: {image}");
         }
     }
 }

@@ -7,10 +7,14 @@
 //! body.
 
 use crate::detection::cfar::DETECTED;
-use crate::detection::interpolation::{Interpolator, Trio};
+use crate::detection::empty_band::EmptyBands;
+use crate::detection::interpolation::{Interpolator, Sides, Trio};
 use crate::detection::leakage::Leakage;
+use crate::spectrum::code_division;
+use crate::spectrum::division::Division;
 use crate::spectrum::map_cells::MapCells;
 use artifact::Radar;
+use artifact::radar::Multiplexing;
 use ndarray::ArrayView2;
 use num_complex::{Complex32, Complex64};
 
@@ -29,13 +33,29 @@ pub(crate) struct Peak {
     pub(crate) power: f64,
     /// Number of detected cells among it and its eight neighbours.
     pub(crate) cells: u32,
-    /// Whether the detector found it; if not, echoes of its neighbours hid it.
-    pub(crate) detected: bool,
+    /// Whether the detector found it, or why not.
+    pub(crate) finding: Finding,
     /// Cell of the peak on whose slope it lies; its own cell if it lies on none (`directional_peaks.rs`).
     pub(crate) summit: [usize; 2],
 }
 
+/// Whether a detector finds a peak.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Finding {
+    /// It does.
+    Detected,
+    /// It does not: echoes of the peak's neighbours hide it.
+    Hidden,
+    /// It does not: the peak is another fold of an echo under Doppler division.
+    WrongFold,
+}
+
 impl Peak {
+    /// Whether the detector found it.
+    pub(crate) fn is_detected(&self) -> bool {
+        self.finding == Finding::Detected
+    }
+
     /// A detected cell on a slope, placed at its centre.
     pub(crate) fn at_centre(row: usize, column: usize, power: f64) -> Self {
         Self {
@@ -45,7 +65,7 @@ impl Peak {
             fine_column: column as f64,
             power,
             cells: 1,
-            detected: true,
+            finding: Finding::Detected,
             summit: [row, column],
         }
     }
@@ -54,8 +74,12 @@ impl Peak {
 /// Interpolation curves and sidelobe levels of a radar's two windows.
 pub(crate) struct PeakFinder {
     cells: MapCells,
+    division: Division,
+    /// Whether rows are the spectrum of chirps at unequal times, which has no period.
+    is_staggered: bool,
     interpolators: [Interpolator; 2],
     leakage: Leakage,
+    empty_bands: Option<EmptyBands>,
 }
 
 /// Power ratio over the leakage of stronger peaks up to which a peak is taken for leakage: two leaks in phase
@@ -70,8 +94,11 @@ impl PeakFinder {
     pub(crate) fn new(radar: &Radar, doppler: &[f64], range: &[f64]) -> Self {
         Self {
             cells: MapCells::of(radar),
+            division: Division::of(radar),
+            is_staggered: !radar.schedule.is_uniform(),
             interpolators: [Interpolator::new(doppler), Interpolator::new(range)],
             leakage: Leakage::new(radar, doppler, range),
+            empty_bands: EmptyBands::of(radar),
         }
     }
 
@@ -97,7 +124,7 @@ impl PeakFinder {
     }
 
     /// Detected cells and the peak on whose slope each lies, in row-major order; those that climb to a
-    /// sidelobe are left out.
+    /// sidelobe are left out. Some may themselves lie on a sidelobe ([`Self::is_sidelobe`]).
     pub(crate) fn slopes(
         &self,
         power: ArrayView2<f64>,
@@ -119,6 +146,25 @@ impl PeakFinder {
             .collect()
     }
 
+    /// Whether a cell on the slope of a peak lies beyond its main lobe and is explained by its leakage: half a
+    /// cell off, the sidelobes of a rectangular window fall as steadily as a slope. The main lobe of a wrong
+    /// fold counts too: where it is as weak as the sidelobes in its empty band, cells pass for a true fold.
+    pub(crate) fn is_sidelobe(
+        &self,
+        (cell, power): ([usize; 2], f64),
+        peak: &Peak,
+        noise_threshold: f64,
+    ) -> bool {
+        let from = [peak.row, peak.column];
+        let share = match peak.finding {
+            Finding::WrongFold => Some(self.leakage.share(from, cell)),
+            Finding::Detected | Finding::Hidden => {
+                self.leakage.share_beyond_lobe(from, [peak.fine_row, peak.fine_column], cell)
+            }
+        };
+        share.is_some_and(|share| power <= most_leaked(share * peak.power, noise_threshold))
+    }
+
     fn place(
         &self,
         power: ArrayView2<f64>,
@@ -126,27 +172,70 @@ impl PeakFinder {
         mask: &[u8],
         [row, column]: [usize; 2],
     ) -> Peak {
-        let (rows, columns) = power.dim();
-        let trios = |cells: [[usize; 2]; 3]| {
-            values
-                .chunks_exact(rows * columns)
-                .map(move |channel| trio(channel, cells.map(|[r, c]| r * columns + c)))
-        };
-        let offset = |(cells, interpolator): (Option<[[usize; 2]; 3]>, &Interpolator)| {
-            cells.map_or(0.0, |cells| interpolator.offset(trios(cells)))
-        };
-        let [along_rows, along_columns] = self.cells.trios([row, column]);
+        let columns = power.ncols();
         let is_detected = |[r, c]: [usize; 2]| mask[r * columns + c] == DETECTED;
         let neighbours = self.cells.around([row, column]).filter(|cell| is_detected(*cell)).count();
+        let is_wrong_fold =
+            || self.empty_bands.as_ref().is_some_and(|bands| bands.is_wrong_fold(values, [row, column]));
+        let finding = if is_detected([row, column]) {
+            Finding::Detected
+        } else if is_wrong_fold() {
+            Finding::WrongFold
+        } else {
+            Finding::Hidden
+        };
+        let [off_row, off_column] = self.offsets_at(values, power.dim(), [row, column]);
         Peak {
             row,
             column,
-            fine_row: row as f64 + offset((along_rows, &self.interpolators[0])),
-            fine_column: column as f64 + offset((along_columns, &self.interpolators[1])),
+            fine_row: row as f64 + off_row,
+            fine_column: column as f64 + off_column,
             power: power[(row, column)],
             cells: neighbours as u32 + u32::from(is_detected([row, column])),
-            detected: is_detected([row, column]),
+            finding,
             summit: [row, column],
+        }
+    }
+
+    /// Offsets along rows and columns from the values of all channels.
+    fn offsets_at(
+        &self,
+        values: &[Complex32],
+        (rows, columns): (usize, usize),
+        cell: [usize; 2],
+    ) -> [f64; 2] {
+        let channels = || values.chunks_exact(rows * columns);
+        let at = |[row, column]: [usize; 2]| row * columns + column;
+        let [along_rows, along_columns] = self.cells.trios(cell).map(|trio| trio.map(|cells| cells.map(at)));
+        let offset = |axis: usize, sides: Sides, cells: [usize; 3]| {
+            self.interpolators[axis].offset(sides, channels().map(|channel| trio(channel, cells)))
+        };
+        let of_rows = |cells: [usize; 3]| match self.division.multiplexing {
+            Multiplexing::Bpm => {
+                let codes = cells.map(|cell| channels().map(|channel| wide(channel[cell])).collect());
+                self.offset_of_codes(codes, cells.map(|cell| cell / columns), rows)
+            }
+            _ => offset(0, self.sides(cell[0], rows), cells),
+        };
+        [along_rows.map_or(0.0, of_rows), along_columns.map_or(0.0, |cells| offset(1, Sides::Both, cells))]
+    }
+
+    /// Offset along rows from the codes of three cells, all separated as in the middle one's row.
+    fn offset_of_codes(&self, codes: [Vec<Complex64>; 3], of_rows: [usize; 3], rows: usize) -> f64 {
+        let turned =
+            |i: usize| code_division::separated_as(&self.division, &codes[i], [of_rows[i], of_rows[1], rows]);
+        let (before, after) = (turned(0), turned(2));
+        let trios = before.into_iter().zip(&codes[1]).zip(after).map(|((b, here), a)| [b, *here, a]);
+        self.interpolators[0].offset(Sides::Both, trios)
+    }
+
+    /// Rows beside a row that see a tone as it does: with staggered chirps those at both ends of the axis, at
+    /// different frequencies, hold different sums of its chirps.
+    fn sides(&self, row: usize, rows: usize) -> Sides {
+        match row {
+            0 if self.is_staggered => Sides::After,
+            _ if self.is_staggered && row + 1 == rows => Sides::Before,
+            _ => Sides::Both,
         }
     }
 
@@ -156,17 +245,20 @@ impl PeakFinder {
         for peak in peaks {
             let leaked: f64 =
                 kept.iter().map(|strong| strong.power * self.leak(strong, [peak.row, peak.column])).sum();
-            let with_noise = noise_threshold.min(leaked / LEAKAGE_IN_NOISE);
-            if peak.power > LEAKAGE_MARGIN * leaked + with_noise {
+            if peak.power > most_leaked(leaked, noise_threshold) {
                 kept.push(peak);
             }
         }
         kept
     }
 
-    /// Maximum share of a peak's power in a cell.
+    /// Maximum share of a peak's power in a cell; none for a wrong fold, whose power is that of its echo,
+    /// counted there.
     pub(crate) fn leak(&self, from: &Peak, cell: [usize; 2]) -> f64 {
-        self.leakage.share([from.row, from.column], cell)
+        match from.finding {
+            Finding::WrongFold => 0.0,
+            Finding::Detected | Finding::Hidden => self.leakage.share([from.row, from.column], cell),
+        }
     }
 
     /// Whether a cell is a peak among its neighbours; of equal ones the first in row-major order is.
@@ -184,17 +276,31 @@ impl PeakFinder {
         cell
     }
 
-    /// Offsets from the middle of three values along rows and along columns; 0 where there are none.
-    pub(crate) fn offsets(&self, [along_rows, along_columns]: [Option<Trio>; 2]) -> [f64; 2] {
-        let offset = |axis: usize, trio: Option<Trio>| {
-            trio.map_or(0.0, |t| self.interpolators[axis].offset([t].into_iter()))
-        };
-        [offset(0, along_rows), offset(1, along_columns)]
+    /// Offsets of a cell's peak from its middle along rows and along columns, from its values and those of
+    /// its neighbours; 0 where there are none.
+    pub(crate) fn offsets(&self, cell: [usize; 2], value: impl Fn([usize; 2]) -> Complex64) -> [f64; 2] {
+        let sides = [self.sides(cell[0], self.cells.rows()), Sides::Both];
+        let trios = self.cells.trios(cell);
+        [0, 1].map(|axis: usize| {
+            let offset = |cells: [[usize; 2]; 3]| {
+                self.interpolators[axis].offset(sides[axis], [cells.map(&value)].into_iter())
+            };
+            trios[axis].map_or(0.0, offset)
+        })
     }
 }
 
+/// Maximum power of a cell that is explained by this much leakage, with noise.
+fn most_leaked(leaked: f64, noise_threshold: f64) -> f64 {
+    LEAKAGE_MARGIN * leaked + noise_threshold.min(leaked / LEAKAGE_IN_NOISE)
+}
+
 fn trio(channel: &[Complex32], cells: [usize; 3]) -> Trio {
-    cells.map(|cell| Complex64::new(f64::from(channel[cell].re), f64::from(channel[cell].im)))
+    cells.map(|cell| wide(channel[cell]))
+}
+
+fn wide(value: Complex32) -> Complex64 {
+    Complex64::new(f64::from(value.re), f64::from(value.im))
 }
 
 fn exceeds(power: ArrayView2<f64>, a: [usize; 2], b: [usize; 2]) -> bool {

@@ -5,8 +5,7 @@
 //! others, and in it the cell is the local maximum. Its power must exceed the main lobes and sidelobes of
 //! stronger echoes in the same beam.
 
-use crate::detection::interpolation::Trio;
-use crate::detection::peaks::{Peak, PeakFinder};
+use crate::detection::peaks::{Finding, Peak, PeakFinder};
 use crate::direction::angle::{Direction, VirtualArray};
 use artifact::rdm::RdmFrame;
 use num_complex::Complex64;
@@ -61,10 +60,8 @@ impl BeamformedMap<'_> {
     }
 
     fn placed(&self, beam: &Beam, [row, column]: [usize; 2], summit: &Peak) -> Peak {
-        let trio = |cells: [[usize; 2]; 3]| -> Trio { cells.map(|cell| beam.value(self, cell)) };
-        let trios = self.array.cells().cells.trios([row, column]).map(|cells| cells.map(trio));
         let power = beam.power(self, [row, column]) / beam.steering.len() as f64;
-        let offsets = self.finder.offsets(trios);
+        let offsets = self.finder.offsets([row, column], |cell| beam.value(self, cell));
         Peak {
             row,
             column,
@@ -72,7 +69,7 @@ impl BeamformedMap<'_> {
             fine_column: column as f64 + offsets[1],
             power,
             cells: summit.cells,
-            detected: true,
+            finding: Finding::Detected,
             summit: [summit.row, summit.column],
         }
     }

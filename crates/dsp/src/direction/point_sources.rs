@@ -5,7 +5,8 @@
 //! likelihood needs none of this: it finds the directions whose echoes leave the smallest residual (Ziskind
 //! and Wax, IEEE Trans. ASSP 36 (1988) 1553, here by Gauss–Newton with the amplitudes projected out: Golub
 //! and Pereyra, SIAM J. Numer. Anal. 10 (1973) 413), for any array and spherical waves. An additional echo is
-//! accepted if it reduces the residual by more than noise would (generalised likelihood ratio).
+//! accepted if it reduces the residual by more than noise would (generalised likelihood ratio), and by more
+//! than the model of one echo can err: its amplitude differs from channel to channel as their ranges do.
 
 use crate::direction::angle::{Direction, VirtualArray};
 use crate::numerics::cholesky::solve;
@@ -30,21 +31,39 @@ const FALSE_SPLIT_RATE: f64 = 1e-4;
 /// Share of the cell's power below which an echo is rejected: a range cell's response differs by up to −30 dB
 /// along a row of 0.34 m.
 const WEAKEST_SHARE: f64 = 1e-3;
+/// Share of the cell's power, −50 dB, below which a residual is indistinguishable from model errors other
+/// than amplitudes that differ from channel to channel.
+const MODEL_ERROR: f64 = 1e-5;
 /// Starting offsets left and right of an echo that may be two, in beamwidths (λ over the array's extent).
 const SPLITS: [f64; 3] = [0.15, 0.4, 0.9];
 /// Gauss–Newton steps: from these starts the residual settles to 1e-6 of the noise within about ten.
 const GAUSS_NEWTON_STEPS: usize = 16;
 
-/// Echoes of a cell, strongest first, at least one; `noise` is the mean noise power of one channel.
+/// Echoes of a cell, strongest first, at least one; `noise` is the mean noise power of one channel. Each is
+/// taken to be equally strong in all channels.
 pub fn sources(array: &VirtualArray, snapshot: &[Complex64], range_m: f64, noise: f64) -> Vec<Source> {
+    sources_on_lobe(array, snapshot, range_m, noise, |_| 0.0)
+}
+
+/// [`sources`] of a cell in which a lone echo has the amplitude `lobe` in a channel that sees it that many
+/// metres farther than the array's centre, √W; its power is summed over channels.
+pub(crate) fn sources_on_lobe(
+    array: &VirtualArray,
+    snapshot: &[Complex64],
+    range_m: f64,
+    noise: f64,
+    lobe: impl Fn(f64) -> f64,
+) -> Vec<Source> {
     let strongest = array.direction(&[snapshot.to_vec()], range_m);
-    match likeliest(array, snapshot, range_m, strongest, noise) {
+    let unexplained = MODEL_ERROR * power(snapshot) + 2.0 * variance(lobe, array, strongest, range_m);
+    let least = (split_threshold(snapshot.len()) * noise).max(unexplained);
+    match likeliest(array, snapshot, range_m, strongest, least) {
         Some(fit) => fit.sources(snapshot.len()),
         None => vec![Source { direction: strongest, power: 0.0 }],
     }
 }
 
-/// Residual power after subtracting the echoes of [`sources`] from a cell, and their number.
+/// Residual power after subtracting the echoes of a cell that noise does not explain, and their number.
 pub(crate) fn direct_fit(
     array: &VirtualArray,
     snapshot: &[Complex64],
@@ -52,28 +71,31 @@ pub(crate) fn direct_fit(
     noise: f64,
 ) -> (f64, usize) {
     let strongest = array.direction(&[snapshot.to_vec()], range_m);
-    let fit = likeliest(array, snapshot, range_m, strongest, noise);
+    let fit = likeliest(array, snapshot, range_m, strongest, split_threshold(snapshot.len()) * noise);
     fit.map_or((power(snapshot), 0), |fit| (fit.residual_power, fit.directions.len()))
 }
 
-/// Fits as many echoes as noise does not explain; `None` if the strongest beam's direction is not visible.
+/// Fits as many echoes as reduce the residual by more than `least` each; `None` if the strongest beam's
+/// direction is not visible.
 fn likeliest(
     array: &VirtualArray,
     snapshot: &[Complex64],
     range_m: f64,
     strongest: Direction,
-    noise: f64,
+    least: f64,
 ) -> Option<AmplitudeFit> {
     let mut best = AmplitudeFit::new(array, snapshot, range_m, &[strongest])?;
-    let total: f64 = snapshot.iter().map(|v| v.norm_sqr()).sum();
-    // Two amplitudes and a direction fitted over as many beams as channels: Pr(reduction > tσ²) ≈ M·t·e^{−t}.
-    let threshold = split_threshold(snapshot.len()) * noise;
+    let total = power(snapshot);
     // Each echo takes a complex amplitude and a direction: more echoes than a third of the channels leave no
     // evidence.
     while best.directions.len() < MOST_SOURCES.min(snapshot.len() / 3) {
+        // None can reduce the residual by more than all of it.
+        if best.residual_power <= least {
+            break;
+        }
         match with_one_more_echo(array, snapshot, range_m, &best) {
             Some(more)
-                if best.residual_power - more.residual_power > threshold
+                if best.residual_power - more.residual_power > least
                     && more.weakest() > WEAKEST_SHARE * total =>
             {
                 best = more;
@@ -82,6 +104,19 @@ fn likeliest(
         }
     }
     Some(best)
+}
+
+/// Variance of a lobe's amplitude over the channels' ranges to a point, half a path longer being as much
+/// farther: by Gauss–Hermite's rule of three nodes.
+fn variance(lobe: impl Fn(f64) -> f64, array: &VirtualArray, direction: Direction, range_m: f64) -> f64 {
+    let excess_m = array.excess_m(direction, range_m);
+    let count = excess_m.len() as f64;
+    let mean_m = excess_m.iter().sum::<f64>() / count;
+    let deviation_m = (excess_m.iter().map(|m| (m - mean_m).powi(2)).sum::<f64>() / count).sqrt();
+    let nodes = [(0.0, 2.0 / 3.0), (-3f64.sqrt(), 1.0 / 6.0), (3f64.sqrt(), 1.0 / 6.0)];
+    let values = nodes.map(|(node, weight)| (lobe(0.5 * (mean_m + node * deviation_m)), weight));
+    let mean: f64 = values.iter().map(|(value, weight)| weight * value).sum();
+    values.iter().map(|(value, weight)| weight * (value - mean).powi(2)).sum()
 }
 
 /// Cramér–Rao bound of the direction cosines of a known number of echoes: minimum standard errors of each
@@ -118,7 +153,8 @@ pub fn least_errors(
         .collect()
 }
 
-/// Threshold t, in units of one channel's noise power, that solves M·t·e^{−t} = the rate.
+/// Threshold t, in units of one channel's noise power, that solves M·t·e^{−t} = the rate: for two amplitudes
+/// and a direction fitted over as many beams as channels, Pr(reduction > tσ²) ≈ M·t·e^{−t}.
 fn split_threshold(channels: usize) -> f64 {
     let beams = channels as f64;
     let next = |t: f64, _| (beams * t / FALSE_SPLIT_RATE).ln();

@@ -13,7 +13,7 @@ use crate::detection::peaks::Peak;
 use crate::direction::angle::{Direction, Snapshot, VirtualArray};
 use crate::direction::directional_peaks::BeamformedMap;
 use crate::direction::multipath_ghost::{self, multipath_ghost};
-use crate::direction::point_sources::sources;
+use crate::direction::point_sources::sources_on_lobe;
 use crate::direction::position::{WorldPosition, world_position};
 use crate::error::DspError;
 use crate::estimation::isolation::{Neighbours, single_echo_fits};
@@ -26,6 +26,7 @@ use crate::objects::velocity_steps::DopplerAxis;
 use crate::plan::Plan;
 use crate::spectrum::axes::Axes;
 use crate::spectrum::map_cells::MapCells;
+use crate::spectrum::window::amplitude;
 use artifact::points::{Object, Point, PointsFrame};
 use artifact::rdm::RdmFrame;
 use artifact::settings::{Angle, DspSettings, StaticEchoes, Window};
@@ -52,12 +53,16 @@ pub(crate) fn locate_points(
     let noise_threshold = thresholds.of_known_noise * noise;
     let mask = recover_masked(&thresholds.censoring, power, &map.mask, noise_threshold);
     let mut peaks = finder.peaks(power, &map.values, &mask, noise_threshold);
-    let slopes = finder.slopes(power, &mask, &peaks);
+    let mut slopes = finder.slopes(power, &mask, &peaks);
     let context = FrameContext { plan, axes: array.cells(), array, map, noise };
     let velocities_mps = context.summit_velocities(&slopes, &peaks);
     let mut on_slopes = BeamformedMap { map, array, finder }.on_slopes(&slopes, &peaks, &velocities_mps);
     // A beam has the noise of one channel; powers of peaks have that of all.
     on_slopes.iter_mut().for_each(|peak| peak.power += noise - context.channel_noise());
+    let own: BTreeSet<[usize; 2]> = on_slopes.iter().map(|peak| [peak.row, peak.column]).collect();
+    slopes.retain(|(cell, peak)| {
+        own.contains(cell) || !finder.is_sidelobe((*cell, power[*cell]), &peaks[*peak], noise_threshold)
+    });
     peaks.extend(on_slopes);
     let mut located_echoes = context.resolve_folds_by_object(context.locate_all(&peaks), &peaks);
     context.mark_ghosts(&mut located_echoes);
@@ -80,7 +85,7 @@ pub(crate) fn locate_points(
     points.retain(|point| point.range_m >= plan.settings.nearest_m);
     let objects = groups.iter().enumerate().map(|(index, group)| {
         let members: Vec<&LocatedEcho> =
-            group.iter().map(|i| &located_echoes[*i]).filter(|s| s.peak.detected).collect();
+            group.iter().map(|i| &located_echoes[*i]).filter(|s| s.peak.is_detected()).collect();
         let own: Vec<&Point> = points.iter().filter(|p| p.object == Some(index as u32)).collect();
         context.object(&members, &own)
     });
@@ -174,18 +179,21 @@ impl FrameContext<'_> {
         folds: Option<FoldResiduals>,
     ) -> Vec<LocatedEcho> {
         let range_m = self.range_m(&peak, radial_velocity_mps);
-        self.locate_at(peak, (range_m, radial_velocity_mps), folds)
+        self.locate_at(peak, (range_m, radial_velocity_mps), &peak, folds)
     }
 
-    /// Echoes of one cell, at least one, at a known range and velocity.
+    /// Echoes of one cell, at least one, at a known range and velocity, given the peak on whose slope it
+    /// lies.
     fn locate_at(
         &self,
         peak: Peak,
         (range_m, radial_velocity_mps): (f64, f64),
+        summit: &Peak,
         folds: Option<FoldResiduals>,
     ) -> Vec<LocatedEcho> {
         let snapshot = self.array.snapshot(self.map, [peak.row, peak.column], radial_velocity_mps);
-        let echoes = self.directions(&snapshot, range_m).into_iter().map(|(direction, share)| LocatedEcho {
+        let found = self.directions(&snapshot, ([peak.row, peak.column], range_m), summit);
+        let echoes = found.into_iter().map(|(direction, share)| LocatedEcho {
             peak: Peak { power: self.power_of_share(peak.power, share), ..peak },
             range_m,
             radial_velocity_mps,
@@ -303,12 +311,33 @@ impl FrameContext<'_> {
         }
     }
 
-    /// Directions of a cell's echoes and their shares of its power.
-    fn directions(&self, snapshot: &Snapshot, range_m: f64) -> Vec<(Direction, f64)> {
+    /// Amplitude in a cell of a peak's echo seen from farther away, as a function of metres: along the range
+    /// lobe, and as 1/R² on the way.
+    fn lobe(&self, [row, column]: [usize; 2], range_m: f64, summit: &Peak) -> impl Fn(f64) -> f64 {
+        let ([of_rows, of_columns], cell_m) = (&self.plan.thresholds.tapers, self.axes.range_cell_m);
+        let [rows, own_rows] = [row, summit.row].map(|row| summit.fine_row - row as f64);
+        let [columns, own_columns] = [column, summit.column].map(|column| summit.fine_column - column as f64);
+        let own = amplitude(of_rows, own_rows) * amplitude(of_columns, own_columns);
+        let scale = summit.power.sqrt() * amplitude(of_rows, rows) / own;
+        let from_m = range_m.max(cell_m);
+        move |farther_m: f64| {
+            let spread = (from_m / (from_m + farther_m)).powi(2);
+            scale * spread * amplitude(of_columns, columns + farther_m / cell_m)
+        }
+    }
+
+    /// Directions of the echoes of a cell on a peak's slope, and their shares of its power.
+    fn directions(
+        &self,
+        snapshot: &Snapshot,
+        (cell, range_m): ([usize; 2], f64),
+        summit: &Peak,
+    ) -> Vec<(Direction, f64)> {
         match self.plan.settings.angle {
             Angle::Fft => vec![(self.array.direction(std::slice::from_ref(snapshot), range_m), 1.0)],
             Angle::MaximumLikelihood => {
-                let found = sources(self.array, snapshot, range_m, self.channel_noise());
+                let lobe = self.lobe(cell, range_m, summit);
+                let found = sources_on_lobe(self.array, snapshot, range_m, self.channel_noise(), lobe);
                 let total: f64 = found.iter().map(|s| s.power).sum();
                 let share = |power: f64| if total > 0.0 { power / total } else { 1.0 };
                 found.into_iter().map(|s| (s.direction, share(s.power))).collect()
@@ -357,7 +386,8 @@ impl FrameContext<'_> {
         let shown_m = self.axes.range_of(column as f64, velocity_mps);
         let owner_m = located_echoes[owner].range_m;
         let range_m = self.axes.between_ends(owner_m + self.axes.range_apart_m(shown_m, owner_m));
-        let mut echoes = self.locate_at(Peak::at_centre(row, column, power), (range_m, velocity_mps), None);
+        let (cell, summit) = (Peak::at_centre(row, column, power), &located_echoes[owner].peak);
+        let mut echoes = self.locate_at(cell, (range_m, velocity_mps), summit, None);
         let two_ways_rad =
             echoes.first().and_then(|strongest| self.on_slope_of(&located_echoes[owner], strongest));
         echoes.iter_mut().for_each(|echo| echo.two_ways_rad = two_ways_rad);
@@ -396,7 +426,7 @@ fn refine_isolated(
     for echo in located_echoes.iter_mut() {
         let alone = cells.iter().filter(|other| **other == echo.cell()).count() == 1;
         let start = echo.point_echo();
-        if !(alone && echo.peak.detected && neighbours.bias_is_negligible(&echo.peak, start)) {
+        if !(alone && echo.peak.is_detected() && neighbours.bias_is_negligible(&echo.peak, start)) {
             continue;
         }
         let point = refined(plan, samples, start);
@@ -459,7 +489,7 @@ fn snr_db(power: f64, noise: f64) -> f64 {
 fn is_supported(settings: &DspSettings, located_echoes: &[LocatedEcho], group: &[usize]) -> bool {
     let spreads = |window: Window| window != Window::Rect;
     let lone_is_noise = spreads(settings.range_window) || spreads(settings.doppler_window);
-    let detected = group.iter().map(|i| &located_echoes[*i].peak).filter(|peak| peak.detected);
+    let detected = group.iter().map(|i| &located_echoes[*i].peak).filter(|peak| peak.is_detected());
     detected.map(|peak| peak.cells).sum::<u32>() > u32::from(lone_is_noise)
 }
 

@@ -60,6 +60,17 @@ pub(crate) fn in_phase(
     (0..codes.len()).map(of_code).collect()
 }
 
+/// Values `[code·N_rx + rx]` of a cell of a row, separated by the turn of another row as if it lay there:
+/// echoes between two rows then have one phase per code in both. Beside a row its own turn differs by 1/N of
+/// a block, across the end of the axis by nearly a whole one.
+pub(crate) fn separated_as(
+    division: &Division,
+    codes: &[Complex64],
+    [row, other, rows]: [usize; 3],
+) -> Vec<Complex64> {
+    in_phase(division, codes, [row, rows], cycles_per_slot(division.slots, [other, rows]))
+}
+
 /// Cycles by which an echo in the middle of a row, `[row, rows]`, turns from slot to slot.
 fn cycles_per_slot(slots: usize, [row, rows]: [usize; 2]) -> f64 {
     (row as f64 - (rows / 2) as f64) / (rows * slots) as f64

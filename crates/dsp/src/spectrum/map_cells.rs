@@ -44,6 +44,11 @@ impl MapCells {
         Self { rows, columns, range: RangeAxis::of(radar) }
     }
 
+    /// Number of Doppler cells.
+    pub(crate) fn rows(self) -> usize {
+        self.rows
+    }
+
     /// The up to eight cells around a cell.
     pub(crate) fn around(self, cell: Cell) -> impl Iterator<Item = Cell> {
         let steps = [(-1, -1), (-1, 0), (-1, 1), (0, -1), (0, 1), (1, -1), (1, 0), (1, 1)];

@@ -53,6 +53,34 @@ fn one_echo_stays_one_at_the_rate_that_was_asked_for() {
     }
 }
 
+/// At 60 dB and more over a channel's noise the channels of an echo differ by more than noise: each sees it
+/// at its own range, and so on its own place of the range lobe.
+#[test]
+fn a_lone_echo_is_one_in_every_cell_however_strong() {
+    use artifact::settings::Angle;
+    use dsp::Receiver;
+    for (name, elements) in [("3x4", elements_3x4()), ("6x8", elements_6x8()), ("12x16", elements_12x16())] {
+        let mut header = header(256, 32, elements);
+        header.noise = NOISE_12_DB;
+        header.dsp.angle = Angle::MaximumLikelihood;
+        let receiver = Receiver::new(&header).unwrap();
+        let cell_m = header.radar.waveform.range_resolution_m();
+        for (part, right) in [(0.0, 0.3), (0.25, -0.45), (0.5, 0.45), (-0.4, -0.2)] {
+            let (range_m, right): (f64, f64) = ((80.0 + part) * cell_m, right);
+            let at_m = [range_m * right, range_m * (1.0 - right * right).sqrt(), 6.0];
+            let points =
+                receiver.process(&cube(&header, &[target(at_m, [0.0; 3], 3e4)], 1)).unwrap().1.points;
+            let place = |point: &artifact::points::Point| (point.range_m, point.radial_velocity_mps);
+            println!("{name}, {part}, {right}: {} points, {:.1} dB", points.len(), points[0].snr_db);
+            assert!(points[0].snr_db > 65.0);
+            for (i, point) in points.iter().enumerate() {
+                let is_alone = points[..i].iter().all(|other| place(other) != place(point));
+                assert!(is_alone, "{name}, {part}, {right}: {point:#?}");
+            }
+        }
+    }
+}
+
 #[test]
 fn without_noise_three_echoes_are_found_where_they_are() {
     let array = VirtualArray::new(&header(256, 64, elements_3x4()));

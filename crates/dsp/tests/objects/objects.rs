@@ -1,5 +1,5 @@
 //! Vehicles become objects: one each, not fewer, not more.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use crate::common::*;
 use artifact::cube::CubeHeader;
@@ -169,6 +169,45 @@ fn sidelobes_of_transmitters_in_other_bands_become_no_objects() {
     (header.dsp.range_window, header.dsp.doppler_window) = (Window::Blackman, Window::Chebyshev(60.0));
     // Straight ahead all transmitters are in phase.
     assert_eq!(false_objects(&header, [0.0, 26.37, 0.75], &[1e4, 1e5, 1e6]), 0);
+}
+
+/// Under a rectangular Doppler window the other folds of an echo have sidelobes of all transmitters and,
+/// between rows, more power than the true one.
+#[test]
+fn a_lone_target_is_found_in_its_fold_though_its_doppler_window_is_rectangular() {
+    let mut header = header(128, 64, elements_6x8());
+    header.noise = NOISE_12_DB;
+    header.radar.array.multiplexing = Multiplexing::Ddm;
+    header.dsp.doppler_window = Window::Rect;
+    for velocity_mps in [-13.44, -10.87, 1.28, 13.46] {
+        let lone = target([2.0, 20.0, 0.75], [0.0, velocity_mps * 1.037, 0.0], 10.0);
+        let (_, radial_mps, _) = truth(&header, &lone);
+        let points = seen(&header, &[lone], 1);
+        let [object] = &points.objects[..] else { panic!("{velocity_mps} m/s: {:#?}", points.objects) };
+        assert!((object.radial_velocity_mps - radial_mps).abs() < 0.05, "{radial_mps}: {object:?}");
+        let is_near = |mps: f64| (mps - radial_mps).abs() < 1.5 * header.radar.velocity_resolution_mps();
+        assert!(points.points.iter().all(|p| is_near(p.radial_velocity_mps)), "{:#?}", points.points);
+    }
+}
+
+/// Between two cells the sidelobes of a rectangular window fall as steadily as a slope.
+#[test]
+fn cells_on_sidelobes_of_a_lone_point_are_no_points() {
+    for window in [Window::Rect, Window::Hann] {
+        let mut header = noisy(256);
+        (header.dsp.range_window, header.dsp.doppler_window) = (window, window);
+        let cell_m = header.radar.waveform.range_resolution_m();
+        // First zero of the main lobe.
+        let zero = if window == Window::Rect { 1.0 } else { 2.0 };
+        for part in [0.0, 0.25, 0.5] {
+            let points = seen(&header, &[target([0.0, (100.0 + part) * cell_m, 6.0], [0.0; 3], 10.0)], 1);
+            let own = points.points.iter().filter(|p| p.object.is_some());
+            let apart = |range_m: f64| (range_m / cell_m - 100.0 - part).abs();
+            let farthest = own.map(|p| apart(p.range_m)).fold(0.0, f64::max);
+            assert!(farthest < zero + 0.1, "{window:?}, {part}: {farthest} cells");
+            assert_eq!(points.objects.len(), 1, "{window:?}, {part}");
+        }
+    }
 }
 
 #[test]

@@ -4,8 +4,10 @@
 use crate::common::*;
 use artifact::cube::CubeHeader;
 use artifact::points::PointsFrame;
+use artifact::radar::Multiplexing;
 use artifact::settings::{Refine, Window};
 use dsp::{Receiver, power_map, range_axis_m, velocity_axis_mps};
+use radar::doppler_ambiguity::folded_mps;
 
 fn seen(header: &CubeHeader, targets: &[Target]) -> PointsFrame {
     Receiver::new(header).unwrap().process(&cube(header, targets, 1)).unwrap().1
@@ -146,6 +148,32 @@ fn interpolated_peaks_lie_within_2_percent_of_a_cell_for_every_window() {
         }
         println!("{window:?}: asked 0.02 cells, got {:.4} in range, {:.4} in velocity", worst[0], worst[1]);
         assert!(worst[0] < 0.02 && worst[1] < 0.02, "{window:?}: {worst:?}");
+    }
+}
+
+/// Rows next to the end of the Doppler axis, where codes are separated by another turn on the other side, and
+/// rows of staggered chirps are not the same frequency.
+#[test]
+fn velocities_at_the_end_of_the_doppler_axis_are_those_between() {
+    for (multiplexing, stagger_s) in [(Multiplexing::Bpm, 0.0), (Multiplexing::Simultaneous, 4.5e-6)] {
+        let mut header = header(64, 64, elements_3x4());
+        header.radar.array.multiplexing = multiplexing;
+        if stagger_s > 0.0 {
+            header.radar.schedule.stagger_s = vec![0.0, stagger_s];
+        }
+        let (cell_mps, span_mps) =
+            (header.radar.velocity_resolution_mps(), 2.0 * header.radar.velocity_max_mps());
+        for step in -8..=8 {
+            let velocity_mps = -0.5 * span_mps + 0.2 * f64::from(step) * cell_mps;
+            let range_m = 30.3 - velocity_mps * header.radar.frame_middle_s();
+            let target = target([0.0, range_m, 6.0], [0.0, velocity_mps, 0.0], 1.0);
+            let point = seen(&header, &[target]).points[0];
+            let error =
+                folded_mps(point.radial_velocity_mps - truth(&header, &target).1, span_mps) / cell_mps;
+            println!("{multiplexing:?}: {:.1} cells from the end: {error:.4}", 0.2 * f64::from(step));
+            // The sidelobes of a staggered echo's images reach its own rows.
+            assert!(error.abs() < 0.03, "{multiplexing:?}, step {step}: {error} cells");
+        }
     }
 }
 

@@ -30,7 +30,7 @@ impl Board {
     }
 
     /// Name on the command line.
-    pub(super) fn name(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self {
             Self::Xwr1243 => "xwr1243",
             Self::Xwr1443 => "xwr1443",

@@ -107,10 +107,8 @@ fn draft(settings: &DeviceSettings, board: Board, from: &Path) -> Draft {
         &format!("# The radar of {file} on an {} board, made by `wayside scene-from`.", board.name()),
         None,
     );
-    draft.line(
-        &format!("# Import its recordings with --config {file}, which has their lanes and order of I and Q."),
-        None,
-    );
+    let import = format!("Import its recordings with --config {file} --device {}", board.name());
+    draft.line(&format!("# {import}: they tell lanes and order of I and Q."), None);
     draft.line(&format!("name = {}", serde_json::Value::from(name_of(from))), None);
     draft.key_line("frames = 1", &format!("{} of line {} asks for {asked}", frame.name, frame.line), None);
     let interval = frame_interval(settings);

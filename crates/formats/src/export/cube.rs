@@ -1,6 +1,7 @@
 //! Radar cubes as complex64 `[frame, channel, chirp, sample]`.
 
 use crate::npy_stream::NpyStream;
+use crate::raw_data::arrays;
 use crate::sidecar;
 use crate::sub_frames::of_sub_frames;
 use artifact::Reader;
@@ -36,10 +37,10 @@ fn axes(header: &CubeHeader, frame_times_s: &[f64]) -> Value {
     let sample_times: Vec<f64> =
         (0..waveform.samples).map(|n| f64::from(n) / waveform.sample_rate_hz).collect();
     json!({
-        "shape": ["frame", "channel", "chirp", "sample"],
+        "shape": arrays::AXES,
         "unit": header.unit.name(),
         "full_scale": header.unit.full_scale(),
-        "frame_times_s": frame_times_s,
+        arrays::FRAME_TIMES: frame_times_s,
         "sample_times_s": sample_times,
         "times_s": of_sub_frames(header, |header| times_of(&header.radar)),
         "channels": channels(header),
@@ -85,4 +86,58 @@ pub(crate) fn map_channels(header: &CubeHeader) -> Value {
         Multiplexing::Simultaneous | Multiplexing::Tdm | Multiplexing::Ddm => 0,
     };
     pairs.chain((0..idle_codes).flat_map(|_| receivers(header))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::raw_data::test_cube::{UNITS, header, steeper, write};
+    use crate::raw_data::{ImportedFrames, IntegerStep};
+    use artifact::cube::SampleUnit;
+    use std::path::PathBuf;
+
+    #[test]
+    fn an_array_comes_back_in_the_unit_of_its_sidecar_for_the_radar_of_its_sidecar_alone() {
+        for unit in UNITS {
+            let folder = tempfile::tempdir().unwrap();
+            let (header, out) = (header(unit), folder.path().join("x.npy"));
+            npy(Reader::open(&write(folder.path(), &header)).unwrap(), &out).unwrap();
+            let (place, files) = (sidecar::beside(&out), [out.clone()]);
+            let ImportedFrames { frames, step, descriptions } = arrays::read(&files, &header).unwrap();
+            assert_eq!((frames.len(), step), (1, IntegerStep::DescribedFloats(unit, place.clone())));
+            assert_eq!(
+                (descriptions, arrays::descriptions(&files)),
+                (vec![place.clone()], vec![place.clone()])
+            );
+            let refused = arrays::read(&files, &steeper(&header)).err().unwrap().to_string();
+            assert!(refused.contains("x.npy.json: slope_hz_per_s is 12500000000000.0, "), "{refused}");
+            // Of an array with another number of frames.
+            let mut told = sidecar::read(&place).unwrap();
+            told["frame_times_s"] = json!([0.0, 0.1]);
+            std::fs::write(&place, told.to_string()).unwrap();
+            assert_eq!(arrays::read(&files, &header).unwrap().step, IntegerStep::Floats);
+        }
+    }
+
+    #[test]
+    fn arrays_of_one_folder_in_several_units_are_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let export = |(number, unit): (usize, &SampleUnit)| {
+            let (own, out) = (tempfile::tempdir().unwrap(), folder.path().join(format!("{number}.npy")));
+            npy(Reader::open(&write(own.path(), &header(*unit))).unwrap(), &out).unwrap();
+            out
+        };
+        let files: Vec<PathBuf> = UNITS.iter().enumerate().map(export).collect();
+        let read =
+            |files: &[PathBuf]| arrays::read(files, &header(UNITS[0])).map_err(|failure| failure.to_string());
+        assert_eq!(read(&[files[1].clone(), files[1].clone()]).unwrap().descriptions.len(), 2);
+        let refused = read(&files[..2]).err().unwrap();
+        assert!(refused.ends_with("samples are in ADC steps, those of the first file in its folder in √W"));
+        std::fs::remove_file(sidecar::beside(&files[2])).unwrap();
+        let refused = read(&files[1..]).err().unwrap();
+        assert!(
+            refused.contains("samples are in a unit that no file gives, those of the first"),
+            "{refused}"
+        );
+    }
 }

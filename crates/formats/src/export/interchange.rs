@@ -129,11 +129,15 @@ impl Classes {
         Ok(Self { summary })
     }
 
-    /// Probabilities of the four classes of a frame's tracks, if known.
+    /// Probabilities of the four classes of a frame's tracks, if known: of tracks in the same place, as the
+    /// summary may be that of another run.
     fn of(&self, frame: &TracksFrame) -> BTreeMap<u32, [f64; 4]> {
         let told = self.summary.as_ref().and_then(|summary| summary.frames.get(frame.index as usize));
         let told = told.filter(|told| told.time_s == frame.time_s);
-        let tracks = told.into_iter().flat_map(|told| &told.tracks);
+        let is_same = |told: &&TrackSummary| {
+            frame.tracks.iter().any(|own| own.id == told.id && own.position_m == [told.x_m, told.y_m])
+        };
+        let tracks = told.into_iter().flat_map(|told| &told.tracks).filter(is_same);
         tracks.filter_map(|track| Some((track.id, probabilities(track)?))).collect()
     }
 }

@@ -39,8 +39,9 @@ pub fn npy(reader: Reader<Rcs>, out: &Path) -> Result<(), Failure> {
 }
 
 fn numbered(out: &Path, frame: u32, target: &str) -> PathBuf {
-    let stem = out.file_stem().unwrap_or_default().to_string_lossy();
-    out.with_file_name(format!("{stem}-{frame:04}-{}.npy", safe_file_name(target)))
+    let mut name = out.file_stem().unwrap_or_default().to_owned();
+    name.push(format!("-{frame:04}-{}.npy", safe_file_name(target)));
+    out.with_file_name(name)
 }
 
 fn write(out: &Path, frame: u32, target: &str, table: &RcsTable) -> Result<(), Failure> {

@@ -35,7 +35,7 @@ pub fn npy(reader: Reader<Rdm>, out: &Path) -> Result<(), Failure> {
             told.push((frame.time_s, frame.detections, frame.cells));
             masks.extend_from_slice(&frame.mask);
         }
-        sidecar::remove_outdated(out)
+        sidecar::leave_only(out, &json!({ MASK: mask_codes() }))
     })?;
     NpyStream::write::<u8>(&mask, &[frames, doppler, range], |s| s.append(&masks))?;
     sidecar::write(out, &axes(&header, &told))
@@ -49,12 +49,20 @@ fn mask_beside(out: &Path) -> PathBuf {
     PathBuf::from(name)
 }
 
-/// Refuses to replace a file that is not a mask of maps, i.e. an array of bytes with three axes and without a
-/// sidecar.
+/// Refuses to replace a file that is not the mask of the maps in `out`: an array of bytes with three axes and
+/// without a sidecar, of which the sidecar of `out` tells. An array itself can carry no mark.
 fn keep_what_is_no_mask(place: &Path, out: &Path) -> Result<(), Failure> {
     let name = out.file_name().unwrap_or_default().to_string_lossy();
     let rule = format!("is no mask of {name}, beside which it would be written");
-    files::refuse_unless(place, &rule, || is_mask(place) && !sidecar::beside(place).exists())
+    let is_own = || is_mask(place) && !sidecar::beside(place).exists() && sidecar::has_own(out, MASK);
+    files::refuse_unless(place, &rule, is_own)
+}
+
+/// Key of the codes of a mask in the sidecar of its maps.
+const MASK: &str = "mask";
+
+fn mask_codes() -> serde_json::Value {
+    json!({ "0": "untested", "1": "tested", "2": "detected" })
 }
 
 /// Whether the head of a file is that of a mask written here.
@@ -72,7 +80,7 @@ fn axes(header: &CubeHeader, told: &[(f64, u64, u64)]) -> serde_json::Value {
         "shape": ["frame", "channel", "doppler", "range"],
         "unit": header.unit.name(),
         "full_scale": header.unit.full_scale(),
-        "mask": { "0": "untested", "1": "tested", "2": "detected" },
+        MASK: mask_codes(),
         "frame_times_s": told.iter().map(|t| t.0).collect::<Vec<_>>(),
         "detections": told.iter().map(|t| t.1).collect::<Vec<_>>(),
         "cells": told.iter().map(|t| t.2).collect::<Vec<_>>(),
@@ -92,9 +100,13 @@ pub fn png(reader: Reader<Rdm>, out: &Path) -> Result<(), Failure> {
     each_frame(reader, out, |header, frame, place| {
         let side = dsp::PAPER_CROP.side;
         let grey = dsp::rdm_grayscale(header, frame).map_err(Failure::refused)?;
-        let upwards: Vec<u8> = grey.chunks(side as usize).rev().flatten().copied().collect();
-        pictures::write_gray(place, [side as usize; 2], &upwards)
+        pictures::write_gray(place, [side as usize; 2], &receding_upwards(&grey, side))
     })
+}
+
+/// Rows of growing velocity in the order of a picture, which begins at its top.
+pub(crate) fn receding_upwards(rows: &[u8], side: u32) -> Vec<u8> {
+    rows.chunks(side.max(1) as usize).rev().flatten().copied().collect()
 }
 
 /// Writes a picture of each frame, with axes in metres and m/s and a scale in decibels.
@@ -123,7 +135,65 @@ fn each_frame(
 }
 
 fn numbered(out: &Path, frame: u32) -> PathBuf {
-    let stem = out.file_stem().unwrap_or_default().to_string_lossy();
-    let kind = out.extension().map(|kind| format!(".{}", kind.to_string_lossy())).unwrap_or_default();
-    out.with_file_name(format!("{stem}-{frame:04}{kind}"))
+    let mut name = out.file_stem().unwrap_or_default().to_owned();
+    name.push(format!("-{frame:04}"));
+    if let Some(kind) = out.extension() {
+        name.push(".");
+        name.push(kind);
+    }
+    out.with_file_name(name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::raw_data::test_cube;
+    use artifact::cube::SampleUnit;
+    use artifact::{Provenance, Writer};
+
+    /// Maps of one frame in the folder.
+    fn maps(folder: &Path) -> PathBuf {
+        let (header, file) = (test_cube::header(SampleUnit::RootWatts), folder.join("a.rdm"));
+        let [channels, doppler, range] = artifact::rdm::shape(&header);
+        let frame = RdmFrame {
+            index: 0,
+            time_s: 0.0,
+            values: vec![Complex32::ONE; channels * doppler * range],
+            mask: vec![1; doppler * range],
+            detections: 0,
+            cells: (doppler * range) as u64,
+            assumed_floor: None,
+        };
+        let mut writer = Writer::<Rdm>::create(&file, &Provenance::default(), &header).unwrap();
+        writer.write(&frame).unwrap();
+        writer.finish().unwrap();
+        file
+    }
+
+    #[test]
+    fn a_mask_is_replaced_where_the_sidecar_of_its_maps_tells_of_it_and_nowhere_else() {
+        let folder = tempfile::tempdir().unwrap();
+        let (file, out) = (maps(folder.path()), folder.path().join("x.npy"));
+        let places = [out.clone(), mask_beside(&out), sidecar::beside(&out)];
+        let export = || {
+            let exported = npy(Reader::open(&file).unwrap(), &out);
+            files::release(&places);
+            exported.map_err(|failure| failure.to_string())
+        };
+        // Anybody's array of bytes with three axes.
+        NpyStream::write::<u8>(&places[1], &[1, 2, 3], |stream| stream.append(&[7; 6])).unwrap();
+        files::release(&places);
+        let own = std::fs::read(&places[1]).unwrap();
+        let refused = export().unwrap_err();
+        assert!(refused.contains("x.mask.npy: is no mask of x.npy"), "{refused}");
+        assert!(std::fs::read(&places[1]).unwrap() == own && !out.exists());
+        std::fs::remove_file(&places[1]).unwrap();
+        export().unwrap();
+        export().unwrap();
+        // As a command leaves it that ends before it writes the mask.
+        sidecar::leave_only(&out, &json!({ MASK: mask_codes() })).unwrap();
+        export().unwrap();
+        std::fs::write(&places[2], json!({ "of": "x.npy" }).to_string()).unwrap();
+        assert!(export().unwrap_err().contains("is no mask of x.npy"));
+    }
 }

@@ -1,7 +1,9 @@
-//! Clouds of other radars as points: a file, or a folder of files, each a frame in the order of their names.
+//! Clouds of other radars as points: a file, or a folder of files, each a frame in the order of their numbers
+//! or names.
 
 use crate::height_source::HeightSource;
 use crate::levelled_axes::LevelledAxes;
+use crate::radar_cloud::summits::summits;
 use crate::radar_cloud::{Detection, LIMIT_BYTES, pcd, velodyne};
 use artifact::cube::CubeHeader;
 use artifact::points::{Height, Point, Points, PointsFrame, PointsHeader};
@@ -58,20 +60,25 @@ struct Sensor<'a> {
 
 impl Sensor<'_> {
     fn frame(&self, index: u32, time_s: f64, seen: &[Detection]) -> PointsFrame {
-        let point = |seen: &Detection| seen.point(&self.cube, self.axes, self.height);
-        let mut points: Vec<Point> = seen.iter().map(point).filter(|p| self.is_wanted(p)).collect();
-        if self.cube.dsp.static_echoes == StaticEchoes::Mark {
-            points.iter_mut().for_each(|point| point.stationary = Some(self.is_at_rest(point)));
+        let dsp = &self.cube.dsp;
+        let points = seen.iter().map(|seen| seen.point(&self.cube, self.axes, self.height));
+        let mut points: Vec<Point> = points.filter(|point| point.range_m >= dsp.nearest_m).collect();
+        if dsp.static_echoes != StaticEchoes::Keep {
+            self.mark(&mut points);
+        }
+        if dsp.static_echoes == StaticEchoes::Remove {
+            points.retain(|point| point.stationary != Some(true));
         }
         let objects = dsp::objects_of_points(&self.cube, &mut points);
         PointsFrame { index, time_s, points, objects }
     }
 
-    /// Whether `nearest_m` and `static` of `[dsp]` leave a point.
-    fn is_wanted(&self, point: &Point) -> bool {
-        let dsp = &self.cube.dsp;
-        let is_removed = dsp.static_echoes == StaticEchoes::Remove && self.is_at_rest(point);
-        point.range_m >= dsp.nearest_m && !is_removed
+    /// Sorts points by strength, and marks each as its summit is: at rest or not.
+    fn mark(&self, points: &mut [Point]) {
+        points.sort_by(|a, b| b.snr_db.total_cmp(&a.snr_db));
+        let summits = summits(&self.cube, points);
+        let marks: Vec<bool> = summits.iter().map(|summit| self.is_at_rest(&points[*summit])).collect();
+        points.iter_mut().zip(marks).for_each(|(point, mark)| point.stationary = Some(mark));
     }
 
     /// Whether a point is at rest as far as this radar's map would tell: the cloud does not say how its folds
@@ -113,8 +120,8 @@ fn read(file: &Path) -> Result<(Vec<Detection>, Height), Failure> {
     Ok((found, height))
 }
 
-/// The files of a folder with one of these endings, all the same one, in the order of their names; a plain
-/// file is the only one.
+/// The files of a folder with one of these endings, all the same one, in the order of [`frame_order`]; a
+/// plain file is the only one.
 pub fn frames_of(asked: &Path, endings: &[&str]) -> Result<Vec<PathBuf>, Failure> {
     if !asked.is_dir() {
         return Ok(vec![asked.to_owned()]);
@@ -127,7 +134,7 @@ pub fn frames_of(asked: &Path, endings: &[&str]) -> Result<Vec<PathBuf>, Failure
             files.push(file);
         }
     }
-    files.sort();
+    files.sort_by(|a, b| frame_order(a).cmp(&frame_order(b)));
     let refused = |rule: String| Err(Failure::Refused(format!("{}: {rule}", asked.display())));
     match files.split_first() {
         None => refused(format!("no file in it ends in .{}", endings.join(" or ."))),
@@ -136,6 +143,13 @@ pub fn frames_of(asked: &Path, endings: &[&str]) -> Result<Vec<PathBuf>, Failure
         }
         Some(_) => Ok(files),
     }
+}
+
+/// Place of a frame's file among others: by its name's number, where the name is one, then by the name; those
+/// with a number come first.
+pub(crate) fn frame_order(file: &Path) -> (u128, &Path) {
+    let number = file.file_stem().and_then(|name| name.to_str()?.parse().ok());
+    (number.unwrap_or(u128::MAX), file)
 }
 
 /// Ending of a file's name.
@@ -191,5 +205,54 @@ mod tests {
             });
             assert_eq!(found, objects, "{idle_us}");
         }
+    }
+
+    /// A frame of two echoes, each with the cells of its lobe in five rows: one at rest, and one two cells
+    /// faster, one of whose cells lies in the row of zero Doppler.
+    fn lobes(static_echoes: &str) -> PointsFrame {
+        let text = format!(
+            "name = \"s\"\n[radar.waveform]\nsamples = 64\nchirps = 32\n[noise]\nnoise_figure_db = 12.0\n\
+             [dsp]\nstatic = \"{static_echoes}\"\n"
+        );
+        let scene = scene::read_text(Path::new("s.toml"), &text, &ReadOptions::names_only()).unwrap();
+        let (cube, axes) = (cube_header(&scene), LevelledAxes::of(&scene.radar));
+        let cell_mps = cube.radar.velocity_resolution_mps();
+        let lobe = |(ahead_m, row): (f64, i32)| {
+            (-2..=2).map(move |down| Detection {
+                place_m: DVec3::new(ahead_m, 0.0, 0.0),
+                section_dbsm: 25.0 - 3.0 * f64::from(down * down),
+                velocity_mps: f64::from(row + down) * cell_mps,
+            })
+        };
+        let seen: Vec<Detection> = [(30.0, 0), (45.0, 2)].into_iter().flat_map(lobe).collect();
+        Sensor { cube, axes: &axes, height: Height::Measured }.frame(0, 0.0, &seen)
+    }
+
+    #[test]
+    fn points_in_the_main_lobe_of_a_stronger_one_are_at_rest_if_it_is() {
+        let [kept, marked, left] = ["keep", "mark", "remove"].map(lobes);
+        let marks = |frame: &PointsFrame, is_near: bool| {
+            let points = frame.points.iter().filter(|point| (point.range_m < 40.0) == is_near);
+            points.map(|point| point.stationary).collect::<Vec<_>>()
+        };
+        assert_eq!([marks(&kept, true), marks(&kept, false)], [[None; 5]; 2]);
+        assert_eq!([marks(&marked, true), marks(&marked, false)], [[Some(true); 5], [Some(false); 5]]);
+        assert_eq!((marks(&left, true), marks(&left, false)), (vec![], vec![Some(false); 5]));
+        let of_objects = |frame: &PointsFrame| {
+            frame.objects.iter().map(|object| (object.points, object.stationary)).collect::<Vec<_>>()
+        };
+        assert_eq!(of_objects(&marked), [(5, Some(true)), (5, Some(false))]);
+        assert_eq!(of_objects(&left), [(5, Some(false))]);
+    }
+
+    #[test]
+    fn frames_are_in_the_order_of_their_numbers_and_then_of_their_names() {
+        let folder = tempfile::tempdir().unwrap();
+        for name in ["b-2", "100000", "b-10", "99999", "00007", "7"] {
+            std::fs::write(folder.path().join(format!("{name}.bin")), []).unwrap();
+        }
+        let found = frames_of(folder.path(), &["bin"]).unwrap();
+        let names: Vec<&str> = found.iter().map(|file| file.file_stem().unwrap().to_str().unwrap()).collect();
+        assert_eq!(names, ["00007", "7", "99999", "100000", "b-10", "b-2"]);
     }
 }

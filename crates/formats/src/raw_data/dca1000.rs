@@ -1,6 +1,6 @@
 //! The `.bin` of a DCA1000EVM, one file: read in all layouts (`lanes.rs`), written in that of two lanes.
 
-use crate::raw_data::described_waveform::WaveformKeys;
+use crate::raw_data::described_waveform::OWN_KEYS;
 pub use crate::raw_data::lanes::Layout;
 use crate::raw_data::lanes::TWO_LANES;
 use crate::raw_data::{ImportedFrames, IntegerStep, LIMIT_BYTES, RecordingShape, ShapeSource};
@@ -92,10 +92,11 @@ pub fn read(
     }
     let beside = description_of(file, &bytes);
     if let Some((told, place)) = &beside {
-        WAVEFORM.check(told, place, &header.radar.waveform)?;
+        OWN_KEYS.check(told, place, &header.radar.waveform)?;
         shape = check_sizes(told, place, &recording)?;
     }
     recording.check_frames(file, bytes.len() / layout.value_bytes(sampling), shape)?;
+    let descriptions = beside.iter().map(|(_, place)| place.clone()).collect();
     let step = IntegerStep::of(step, || match beside {
         Some((told, place)) => described_step(&told, place),
         None => {
@@ -106,7 +107,7 @@ pub fn read(
     let values = layout.by_slot(&bytes, &recording, sampling, step.factor());
     let frames =
         values.chunks_exact(recording.values()).map(|frame| recording.cube_of_slots(frame)).collect();
-    Ok(ImportedFrames { frames, step })
+    Ok(ImportedFrames { frames, step, descriptions })
 }
 
 /// Steps, of 32,767, of the strongest sample: the rest is for a reader's noise.
@@ -253,16 +254,10 @@ const COUNT: &str = "adc_steps_per_step";
 /// Key of the full scale of that converter.
 const FULL_SCALE_KEY: &str = "full_scale";
 
-/// Keys of the waveform in a description.
-const WAVEFORM: WaveformKeys = WaveformKeys {
-    sample_rate: "sample_rate_hz",
-    start_frequency: "start_frequency_hz",
-    slope: "slope_hz_per_s",
-};
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::raw_data::test_cube;
 
     #[test]
     fn a_step_is_believed_of_the_samples_that_it_tells_of_alone() {
@@ -319,6 +314,24 @@ mod tests {
         let refused = write_in_two(&file, &out, || drop(std::fs::copy(&strong, &file))).unwrap_err();
         assert!(refused.to_string().contains("was changed while this command read it"), "{refused}");
         assert!(!out.exists());
+    }
+
+    #[test]
+    fn the_description_of_a_recording_is_accepted_whatever_the_command_gives_as_its_step() {
+        let folder = tempfile::tempdir().unwrap();
+        let (header, out) = (test_cube::header(SampleUnit::RootWatts), folder.path().join("x.bin"));
+        write(&test_cube::write(folder.path(), &header), &out).unwrap();
+        let layout = (TWO_LANES, ShapeSource::Assumed);
+        for step in [None, Some(1e-9)] {
+            let imported = read(&out, &header, step, layout).unwrap();
+            assert_eq!(
+                (imported.descriptions, imported.step.is_described()),
+                (descriptions(&out), step.is_none())
+            );
+            assert_eq!(descriptions(&out), [sidecar::beside(&out)]);
+        }
+        std::fs::remove_file(sidecar::beside(&out)).unwrap();
+        assert!(read(&out, &header, None, layout).unwrap().descriptions.is_empty());
     }
 
     #[test]

@@ -5,22 +5,42 @@ use pipeline::host::failure::Failure;
 use serde_json::Value;
 use std::path::Path;
 
-/// Keys of a description's numbers of the waveform, in Hz and Hz/s.
+/// Keys of a description's numbers of the waveform.
 pub(crate) struct WaveformKeys {
-    pub(crate) sample_rate: &'static str,
-    pub(crate) start_frequency: &'static str,
-    pub(crate) slope: &'static str,
+    pub(crate) sample_rate: NumberKey,
+    pub(crate) start_frequency: NumberKey,
+    pub(crate) slope: NumberKey,
 }
+
+/// Key of a number, and its unit in Hz or Hz/s.
+pub(crate) struct NumberKey {
+    pub(crate) name: &'static str,
+    pub(crate) unit: f64,
+}
+
+impl NumberKey {
+    /// Key of a number in Hz or Hz/s.
+    pub(crate) const fn of_base_unit(name: &'static str) -> Self {
+        Self { name, unit: 1.0 }
+    }
+}
+
+/// Keys in descriptions that are this program's own.
+pub(crate) const OWN_KEYS: WaveformKeys = WaveformKeys {
+    sample_rate: NumberKey::of_base_unit("sample_rate_hz"),
+    start_frequency: NumberKey::of_base_unit("start_frequency_hz"),
+    slope: NumberKey::of_base_unit("slope_hz_per_s"),
+};
 
 impl WaveformKeys {
     /// Refuses numbers of `told`, the content of `place`, that differ from the radar's.
     pub(crate) fn check(&self, told: &Value, place: &Path, waveform: &Waveform) -> Result<(), Failure> {
         let numbers = [
-            (self.sample_rate, waveform.sample_rate_hz),
-            (self.start_frequency, waveform.start_frequency_hz),
-            (self.slope, waveform.slope_hz_per_s),
+            (&self.sample_rate, waveform.sample_rate_hz),
+            (&self.start_frequency, waveform.start_frequency_hz),
+            (&self.slope, waveform.slope_hz_per_s),
         ];
-        numbers.into_iter().try_for_each(|(key, radars)| same(told, place, key, radars))
+        numbers.into_iter().try_for_each(|(key, radars)| same(told, place, key.name, radars / key.unit))
     }
 }
 

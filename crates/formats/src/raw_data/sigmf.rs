@@ -1,7 +1,8 @@
 //! SigMF recordings (sigmf.org, version 1.0): `.sigmf-data`, receivers interleaved, and `.sigmf-meta` beside
 //! it.
 
-use crate::raw_data::described_waveform::{WaveformKeys, same};
+use crate::raw_data::described_unit::UnitKeys;
+use crate::raw_data::described_waveform::{NumberKey, WaveformKeys, same};
 use crate::raw_data::{ImportedFrames, IntegerStep, LIMIT_BYTES, RecordingShape, ShapeSource};
 use artifact::bounded;
 use artifact::cube::{Cube, CubeHeader};
@@ -64,8 +65,8 @@ pub fn pair(asked: &Path) -> [PathBuf; 2] {
     [asked.to_owned(), asked.with_extension(other)]
 }
 
-/// Reads frames of `cf32_le` or `ci16_le`; one step of the latter is `step` √W, else the unit. The waveform
-/// in the description must be the radar's.
+/// Reads frames of `cf32_le`, in the unit of the description if it has one, or of `ci16_le`, of which one
+/// step is `step` √W, else the unit. The waveform in the description must be the radar's.
 pub fn read(file: &Path, header: &CubeHeader, step: Option<f32>) -> Result<ImportedFrames, Failure> {
     let recording = RecordingShape::of_complex(file, header)?;
     let (meta, data) = (file.with_extension(META), file.with_extension(DATA));
@@ -76,7 +77,7 @@ pub fn read(file: &Path, header: &CubeHeader, step: Option<f32>) -> Result<Impor
     check_carriers(&told, &meta, &header.radar.waveform)?;
     let bytes = bounded::read(&data, LIMIT_BYTES).map_err(|fault| Failure::unread(&data, &fault))?;
     let (values, step) = match told["global"]["core:datatype"].as_str() {
-        Some("cf32_le") => (of_floats(&bytes), IntegerStep::Floats),
+        Some("cf32_le") => (of_floats(&bytes), UNIT.meaning(&told["global"], &meta)?),
         Some("ci16_le") => {
             let step = IntegerStep::of(step, || None);
             (of_integers(&bytes, step.factor()), step)
@@ -90,7 +91,8 @@ pub fn read(file: &Path, header: &CubeHeader, step: Option<f32>) -> Result<Impor
     let global = &told["global"];
     recording.check_frames(&data, values.len(), ShapeSource::of(&[&global[CHIRPS], &global[SAMPLES]]))?;
     let cube = |frame: &[Complex32]| recording.cube_of_slots(&recording.deinterleaved(frame));
-    Ok(ImportedFrames { frames: values.chunks_exact(recording.values()).map(cube).collect(), step })
+    let frames = values.chunks_exact(recording.values()).map(cube).collect();
+    Ok(ImportedFrames { frames, step, descriptions: vec![meta] })
 }
 
 /// Refuses missing samples, and files with other data.
@@ -155,10 +157,12 @@ const FREQUENCY: &str = "core:frequency";
 
 /// Keys of the waveform; the rate is defined by SigMF.
 const WAVEFORM: WaveformKeys = WaveformKeys {
-    sample_rate: "core:sample_rate",
-    start_frequency: "wayside:start_frequency_hz",
-    slope: "wayside:slope_hz_per_s",
+    sample_rate: NumberKey::of_base_unit("core:sample_rate"),
+    start_frequency: NumberKey::of_base_unit("wayside:start_frequency_hz"),
+    slope: NumberKey::of_base_unit("wayside:slope_hz_per_s"),
 };
+/// Keys of the unit of the samples.
+const UNIT: UnitKeys = UnitKeys { unit: "wayside:unit", full_scale: "wayside:full_scale" };
 /// Key of the number of chirps of all transmitters in a frame.
 const CHIRPS: &str = "wayside:chirps";
 /// Key of the number of samples of a chirp.
@@ -206,16 +210,39 @@ fn meta(header: &CubeHeader, recording: &RecordingShape, times_s: &[f64]) -> Val
             "core:version": "1.0.0",
             "core:datatype": "cf32_le",
             "core:num_channels": recording.receivers,
-            WAVEFORM.sample_rate: waveform.sample_rate_hz,
+            WAVEFORM.sample_rate.name: waveform.sample_rate_hz,
             "core:description": description,
             "core:recorder": RECORDER,
             "core:extensions": [{ "name": "wayside", "version": "1.0.0", "optional": true }],
             CHIRPS: recording.slots(),
             SAMPLES: recording.samples,
-            WAVEFORM.start_frequency: waveform.start_frequency_hz,
-            WAVEFORM.slope: waveform.slope_hz_per_s,
+            WAVEFORM.start_frequency.name: waveform.start_frequency_hz,
+            WAVEFORM.slope.name: waveform.slope_hz_per_s,
+            UNIT.unit: header.unit.name(),
+            UNIT.full_scale: header.unit.full_scale(),
         },
         "captures": times_s.iter().enumerate().map(capture).collect::<Vec<_>>(),
         "annotations": [],
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::raw_data::test_cube::{self, UNITS};
+
+    #[test]
+    fn a_recording_comes_back_in_the_unit_of_its_description() {
+        for unit in UNITS {
+            let folder = tempfile::tempdir().unwrap();
+            let (header, out) = (test_cube::header(unit), folder.path().join("x"));
+            write(&test_cube::write(folder.path(), &header), &out).unwrap();
+            let meta = part_of(&out, META);
+            let imported = read(&meta, &header, None).unwrap();
+            assert_eq!(imported.step, IntegerStep::DescribedFloats(unit, meta.clone()));
+            let global = &serde_json::from_slice::<Value>(&std::fs::read(&meta).unwrap()).unwrap()["global"];
+            assert_eq!(global["wayside:unit"], unit.name());
+            assert_eq!(global["wayside:full_scale"].as_f64(), unit.full_scale());
+        }
+    }
 }

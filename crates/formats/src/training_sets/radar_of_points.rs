@@ -3,7 +3,6 @@
 use crate::training_sets::truth_boxes::TruthBoxes;
 use artifact::Radar;
 use artifact::points::PointsHeader;
-use artifact::radar::{Multiplexing, Sampling};
 use artifact::settings::Noise;
 use pipeline::host::failure::Failure;
 
@@ -20,10 +19,6 @@ pub(crate) fn radar_of<'a>(
 
 /// Sentence about the cross sections of a cloud.
 pub(crate) fn sections_of(points: &PointsHeader) -> &'static str {
-    let is_known = points.cube.as_ref().is_some_and(|cube| {
-        let is_thermal = matches!(cube.noise, Noise::Figure { .. });
-        let has_codes = cube.radar.array.multiplexing == Multiplexing::Bpm;
-        is_thermal && !has_codes && cube.radar.waveform.sampling == Sampling::Complex
-    });
+    let is_known = points.cube.as_ref().is_some_and(|cube| matches!(cube.noise, Noise::Figure { .. }));
     if is_known { "dBsm, by the radar equation" } else { "not known: 0" }
 }

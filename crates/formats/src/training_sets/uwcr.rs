@@ -6,7 +6,7 @@
 
 use crate::levelled_axes::LevelledAxes;
 use crate::mat_file;
-use crate::raw_data::uwcr::{ARRAY, shape};
+use crate::raw_data::uwcr::{ARRAY, RADAR, SET, WAVEFORM, shape};
 use crate::sub_frames::of_sub_frames;
 use crate::training_sets::set_folder::SetFolder;
 use crate::training_sets::truth_boxes::{TruthBox, TruthBoxes};
@@ -78,14 +78,15 @@ fn interval_us(header: &CubeHeader) -> serde_json::Value {
 fn description(header: &CubeHeader, frames: usize) -> serde_json::Value {
     let waveform = &header.radar.waveform;
     json!({
-        "set": "UWCR", "frames": frames, "array": ARRAY, "shape": shape(header),
-        "axes": ["sample", "chirp", "receiver", "transmitter"], "unit": header.unit.name(),
-        "radar_configs": {
-            "startFreqConst_GHz": waveform.start_frequency_hz / 1e9,
-            "freqSlopeConst_MHz_usec": waveform.slope_hz_per_s / 1e12,
+        "set": SET, "frames": frames, "array": ARRAY, "shape": shape(header),
+        "axes": ["sample", "chirp", "receiver", "transmitter"],
+        "unit": header.unit.name(), "full_scale": header.unit.full_scale(),
+        RADAR: {
+            WAVEFORM.start_frequency.name: waveform.start_frequency_hz / WAVEFORM.start_frequency.unit,
+            WAVEFORM.slope.name: waveform.slope_hz_per_s / WAVEFORM.slope.unit,
             "chirpDuration_usec": of_sub_frames(header, interval_us),
             "numAdcSamples": waveform.samples,
-            "digOutSampleRate": waveform.sample_rate_hz / 1e3,
+            WAVEFORM.sample_rate.name: waveform.sample_rate_hz / WAVEFORM.sample_rate.unit,
             "numLoops": waveform.chirps,
         },
         "not_filled": ["images_0"],
@@ -95,6 +96,7 @@ fn description(header: &CubeHeader, frames: usize) -> serde_json::Value {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::raw_data::{self, IntegerStep, test_cube};
     use crate::training_sets::test_body::{bus, sub_framed};
     use radar::{aperture::Preset, paper};
 
@@ -105,6 +107,26 @@ mod tests {
             told.as_array().unwrap().iter().map(|us| us.as_f64().unwrap().round()).collect::<Vec<_>>(),
             [20.0, 40.0]
         );
+    }
+
+    #[test]
+    fn frames_come_back_in_the_unit_of_the_set_for_the_radar_of_the_set_alone() {
+        for unit in test_cube::UNITS {
+            let folder = tempfile::tempdir().unwrap();
+            let (header, out) = (test_cube::header(unit), folder.path().join("set"));
+            write(Reader::open(&test_cube::write(folder.path(), &header)).unwrap(), None, &out).unwrap();
+            let files = [out.join("radar_raw_frame/000000.mat")];
+            let imported = raw_data::uwcr::read(&files, &header).unwrap();
+            assert!(matches!(imported.step, IntegerStep::DescribedFloats(told, _) if told == unit));
+            assert_eq!(imported.descriptions, raw_data::uwcr::descriptions(&files));
+            let refused = raw_data::uwcr::read(&files, &test_cube::steeper(&header)).err().unwrap();
+            let told = "set.json: freqSlopeConst_MHz_usec is 12.5, the scene's radar has 25.0";
+            assert!(refused.to_string().ends_with(told), "{refused}");
+            // Of another program's set with this layout.
+            std::fs::write(out.join("set.json"), "{\"unit\": \"ADC steps\"}").unwrap();
+            let imported = raw_data::uwcr::read(&files, &header).unwrap();
+            assert_eq!((imported.step, imported.descriptions), (IntegerStep::Floats, vec![]));
+        }
     }
 
     #[test]

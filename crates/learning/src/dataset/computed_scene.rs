@@ -7,11 +7,14 @@ use crate::dataset::recipe::Recipe;
 use crate::dataset::scene_line::SceneLine;
 use crate::dataset::staging::{StagedScene, stage};
 use artifact::dataset::{Crop, Sample};
-use pipeline::chain::link::Chain;
+use artifact::scene::SceneHeader;
+use pipeline::chain::frames::resolved;
+use pipeline::chain::link::{Chain, FrameProducts};
 use pipeline::chain::measured_frames::FramesByIndex;
 use pipeline::host::failure::Failure;
 use pipeline::host::memory::Allowance;
 use pipeline::host::ordered_jobs::ConcurrencyLimits;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// A computed scene.
@@ -59,10 +62,12 @@ pub(super) fn compute(
         None => chain,
     };
     let (mut samples, mut frames) = (Vec::new(), Vec::new());
-    for index in 0..staged.header.frames {
-        let observed = observe(&staged, chain.frame(&chain.plan(index))?);
-        samples.extend(samples_of(recipe, drawn, &staged, &chain, &observed)?);
-        frames.push(lines::frame(drawn, &staged, &observed));
+    for cycle in cycles(&staged.header) {
+        for products in cycle_of_frames(&chain, cycle)? {
+            let observed = observe(&staged, products);
+            samples.extend(samples_of(recipe, drawn, &staged, &chain, &observed)?);
+            frames.push(lines::frame(drawn, &staged, &observed));
+        }
     }
     let own = || MeasuredErrors { scene: drawn.number, known: Arc::new(chain.measured()) };
     let measured = context.like.cloned().unwrap_or_else(own);
@@ -71,6 +76,17 @@ pub(super) fn compute(
         line: lines::scene(recipe, drawn, &staged, frames, measured.scene, context.shard),
         measured,
     })
+}
+
+/// Frame records of each cycle of sub-frames; the last cycle may lack some.
+fn cycles(header: &SceneHeader) -> impl Iterator<Item = Range<u32>> + use<> {
+    let (frames, sub_frames) = (header.frames, header.radar.schedule.sub_frames());
+    (0..frames).step_by(sub_frames as usize).map(move |first| first..frames.min(first + sub_frames))
+}
+
+/// Computes the sub-frames of a cycle, their velocities resolved by each other.
+fn cycle_of_frames(chain: &Chain, cycle: Range<u32>) -> Result<Vec<FrameProducts>, Failure> {
+    resolved(chain, cycle.map(|index| chain.frame(&chain.plan(index))).collect::<Result<_, _>>()?)
 }
 
 fn samples_of(
@@ -113,4 +129,49 @@ fn crop(chain: &Chain, observed: &ObservedFrame, object: u32) -> Result<Crop, Fa
     cropper
         .and_then(|cropper| cropper.crop_among(&observed.products.result.points, object))
         .map_err(Failure::refused)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dataset::draws;
+
+    /// Two spans that fold 20 m/s to different velocities.
+    const BASE: &str = "name = \"base\"\n[radar.waveform]\nchirps = 64\nsub_frame_idle_us = [10.0, 37.0]\n\
+[radar.array]\npreset = \"1x4\"\n[noise]\nnoise_figure_db = 12.0\n[dsp]\ntraining_cells = [3, 6]\n\
+[fidelity]\nbounces = 1\n";
+
+    const RECIPE: &str = "scene = \"base.toml\"\nseed = 1\nscenes_per_class = 1\nrange_m = [30.0, 30.0]\n\
+speed_mps = [20.0, 20.0]\nlanes = [2]\nframes = 2\ncrops = false\n[models]\ncar = [\"car-hatchback\"]\n";
+
+    #[test]
+    fn a_vehicle_is_found_in_each_sub_frame_with_the_velocity_that_both_tell() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("base.toml"), BASE).unwrap();
+        std::fs::write(folder.path().join("spec.toml"), RECIPE).unwrap();
+        let recipe = Recipe::read(&folder.path().join("spec.toml"), None).unwrap();
+        let drawn = &draws::draw(&recipe, 0..1)[0];
+        let memory = Allowance::of(None);
+        let context = SceneContext { like: None, shard: "shard-0000.dataset", at_once: 1, memory };
+        let scene = compute(&recipe, drawn, &context).unwrap();
+        assert_eq!(scene.samples.iter().map(|sample| sample.frame).collect::<Vec<_>>(), [0, 1]);
+        for (sample, (_, vehicle)) in scene.samples.iter().zip(scene.line.vehicles()) {
+            let found_mps = vehicle.estimate.as_ref().and_then(|estimate| estimate.velocity_mps).unwrap();
+            assert_eq!(sample.signature.radial_velocity_mps, found_mps);
+            // Echoes of one body differ by less than a fraction of either span.
+            let error_mps = (found_mps - sample.radial_velocity_mps).abs();
+            assert!(error_mps < 1.0, "frame {}: {found_mps} m/s, off by {error_mps}", sample.frame);
+        }
+    }
+
+    #[test]
+    fn the_last_cycle_has_the_sub_frames_that_are_left() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("base.toml"), BASE).unwrap();
+        let recipe = RECIPE.replace("frames = 2", "frames = 3");
+        std::fs::write(folder.path().join("spec.toml"), recipe).unwrap();
+        let recipe = Recipe::read(&folder.path().join("spec.toml"), None).unwrap();
+        let staged = stage(&recipe, &draws::draw(&recipe, 0..1)[0]);
+        assert_eq!(cycles(&staged.header).collect::<Vec<_>>(), [0..2, 2..3]);
+    }
 }

@@ -117,6 +117,18 @@ pub(super) fn sealed(scene: &SceneLine) -> serde_json::Result<String> {
     Ok(scene.to_string())
 }
 
+/// Beginning of every scene's line, and a key that follows within its first bytes.
+const FIRST_KEYS: [&[u8]; 2] = [b"{\"base\":", b"\"extra_noise_db\":"];
+
+/// Whether the first bytes of a file are those of a scene's line, which may be cut.
+pub(super) fn begins_as_scene(head: &[u8]) -> bool {
+    let line = head.split(|byte| *byte == b'\n').next().unwrap_or_default();
+    let [begin, key] = FIRST_KEYS;
+    let is_cut = || serde_json::from_slice::<Value>(line).is_err();
+    let has_key = || line.windows(key.len()).any(|part| part == key);
+    begin.starts_with(line) || (line.starts_with(begin) && (has_key() || is_cut()))
+}
+
 /// Text of a scene's line without a checksum, its keys sorted.
 pub(super) fn text(scene: &SceneLine) -> serde_json::Result<String> {
     Ok(serde_json::to_value(scene)?.to_string())

@@ -1,7 +1,7 @@
 //! One frame of a drawn scene with its truth.
 
 use crate::dataset::staging::StagedScene;
-use evaluation::{MeasurementLimits, Pairing, Truth, truths};
+use evaluation::{FrameTruth, Truth};
 use pipeline::chain::link::FrameProducts;
 
 /// One frame of a scene.
@@ -12,11 +12,10 @@ pub(super) struct ObservedFrame {
     pub(super) object_of: Vec<Option<usize>>,
 }
 
-/// Pairs the vehicles of a frame with its objects.
+/// Pairs the vehicles of a frame with its objects, by the radar of its sub-frame.
 pub(super) fn observe(staged: &StagedScene, products: FrameProducts) -> ObservedFrame {
     let result = &products.result;
-    let truths = truths(&staged.header, &result.scene, result.scattering.paths());
-    let object_of =
-        Pairing::of(&truths, &result.points.objects, &MeasurementLimits::of(&staged.header)).object_of;
-    ObservedFrame { products, truths, object_of }
+    let paths = result.scattering.paths();
+    let truth = FrameTruth::of(&staged.header, &result.scene, paths, &result.points.objects);
+    ObservedFrame { products, truths: truth.truths, object_of: truth.pairing.object_of }
 }

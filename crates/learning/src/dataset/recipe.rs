@@ -123,3 +123,34 @@ fn base(scene: &Path) -> Result<Base, Failure> {
     unplanned.into_iter().for_each(|sentence| progress::note(format!("note: {sentence}")));
     Ok(Base { name, header: loading::radar_only(scene, None)? })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const BASE: &str = "name = \"base\"\nframe_interval_s = 0.001\n[radar.waveform]\nchirps = 64\n";
+
+    const NEEDED: &str = "scene = \"base.toml\"\nseed = 1\nscenes_per_class = 1\nrange_m = [30.0, 30.0]\n\
+speed_mps = [1.0, 5.0]\nlanes = [2]\n";
+
+    /// Refusal of a recipe with these keys, if any.
+    fn refusal(base: &str, keys: &str) -> Option<String> {
+        let folder = tempfile::tempdir().unwrap();
+        let spec = folder.path().join("spec.toml");
+        std::fs::write(folder.path().join("base.toml"), base).unwrap();
+        std::fs::write(&spec, format!("{NEEDED}{keys}\n[models]\ncar = [\"car-hatchback\"]\n")).unwrap();
+        Recipe::read(&spec, None).err().map(|failure| failure.to_string())
+    }
+
+    #[test]
+    fn frames_that_overlap_at_the_interval_of_the_base_scene_are_refused() {
+        let refused = refusal(BASE, "frames = 2").unwrap();
+        assert!(refused.contains("spec.toml:7:10: `frames` follow each other every 0.001 s"), "{refused}");
+        assert_eq!(refusal(BASE, ""), None, "one frame follows no other");
+        assert_eq!(refusal(BASE, "frames = 2\nframe_interval_s = 0.1"), None);
+        // Both sub-frames are of one cycle; the third is of the next.
+        let cycle = format!("{BASE}sub_frame_idle_us = [10.0, 37.0]\n");
+        assert_eq!(refusal(&cycle, "frames = 2"), None);
+        assert!(refusal(&cycle, "frames = 3").is_some());
+    }
+}

@@ -3,14 +3,24 @@
 
 use crate::dataset::layout::PlannedShard;
 use crate::dataset::lines as scene_lines;
+use crate::dataset::own_artifact::refuse_other_artifact;
 use crate::dataset::recipe::Recipe;
 use crate::dataset::scene_line::SceneLine;
 use crate::dataset::shard_version::shard_version;
 use artifact::dataset::{Dataset, Sample};
 use artifact::{ArtifactError, Fault, Reader};
 use pipeline::host::failure::Failure;
+use pipeline::host::files;
 use pipeline::host::progress;
 use std::path::Path;
+
+/// Refuses to replace files of another origin by a shard. One that is an input is refused as such.
+pub(super) fn refuse_foreign(shard: &PlannedShard) -> Result<(), Failure> {
+    let samples = refuse_other_artifact::<Dataset>(&shard.samples);
+    let lines = || files::refuse_foreign_head(&shard.lines, scene_lines::begins_as_scene);
+    let claim = || files::claim(&[shard.samples.clone(), shard.lines.clone()]);
+    samples.and_then(|()| lines()).or_else(|foreign| claim().and(Err(foreign)))
+}
 
 /// Whether a shard is complete; a damaged one is named and must be made anew. Refused if the folder belongs
 /// to another recipe or program: shards of two do not form a dataset.
@@ -99,4 +109,43 @@ fn tells_of(lines: &[SceneLine], samples: &[Sample]) -> bool {
     let vehicles = lines.iter().flat_map(SceneLine::vehicles).map(|(_, vehicle)| vehicle);
     let found = vehicles.filter(|vehicle| vehicle.estimate.is_some()).map(|vehicle| &vehicle.id);
     found.eq(samples.iter().map(|sample| &sample.id))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use artifact::classes::{Classes, ClassesHeader};
+    use artifact::{Provenance, Writer};
+
+    /// A line as the program writes it, without its frames.
+    const LINE: &str = "{\"base\":\"base.toml\",\"checksum\":\"0\",\"extra_noise_db\":0.0,\"frames\":[]}\n";
+
+    #[test]
+    fn what_is_no_shard_is_refused_and_what_is_left_of_one_is_not() {
+        let folder = tempfile::tempdir().unwrap();
+        let name = "shard-0000.dataset".to_owned();
+        let [samples, lines] = [&*name, "shard-0000.jsonl"].map(|name| folder.path().join(name));
+        let shard = PlannedShard { scenes: 0..1, samples, lines, name };
+        let is_refused = || refuse_foreign(&shard).is_err();
+        assert!(!is_refused(), "nothing is there");
+        for (text, is_foreign) in [
+            ("notes\n", true),
+            ("{}\n", true),
+            ("{\"base\":\"c7\",\"chord\":1}\n", true),
+            ("", false),
+            ("{\"ba", false),
+            ("{\"base\":\"base.toml\",\"extra", false),
+            (LINE, false),
+        ] {
+            std::fs::write(&shard.lines, text).unwrap();
+            assert_eq!(is_refused(), is_foreign, "{text}");
+        }
+        std::fs::write(&shard.samples, "my table").unwrap();
+        assert!(is_refused());
+        let header = ClassesHeader { classes: vec![] };
+        Writer::<Classes>::create(&shard.samples, &Provenance::default(), &header).unwrap().finish().unwrap();
+        assert!(is_refused());
+        std::fs::write(&shard.samples, "WAYSIDE\ncut").unwrap();
+        assert!(!is_refused());
+    }
 }

@@ -173,7 +173,8 @@ impl Road<'_> {
 
     /// Time from the beginning of the first frame to the end of the last, s.
     fn seconds(&self) -> f64 {
-        self.base.frame_time_s(self.base.frames - 1) + self.base.radar.frame_duration_s()
+        let last = self.base.frames - 1;
+        self.base.frame_time_s(last) + self.base.radar.in_frame(last).frame_duration_s()
     }
 }
 

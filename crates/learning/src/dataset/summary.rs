@@ -4,6 +4,7 @@
 mod detection;
 mod accuracy;
 
+use crate::dataset::draws;
 use crate::dataset::layout::{Layout, PlannedShard};
 use crate::dataset::lines;
 use crate::dataset::recipe::Recipe;
@@ -54,7 +55,12 @@ pub(super) fn lacking(recipe: &Recipe, layout: &Layout, most: usize) -> Result<V
 
 /// Writes `manifest.jsonl`: one line per sample; `scenes.jsonl`: one line per scene; `detection.md`: errors
 /// of all vehicles, detected or not. `tell` receives their numbers and the accuracy of their scenes.
-pub(super) fn conclude(layout: &Layout, out: &Path, tell: &dyn Fn(&str)) -> Result<(), Failure> {
+pub(super) fn conclude(
+    recipe: &Recipe,
+    layout: &Layout,
+    out: &Path,
+    tell: &dyn Fn(&str),
+) -> Result<(), Failure> {
     let _work = Work::begin("concluding");
     let [manifest, scenes, table] = files_of(out);
     files::write_with(&manifest, |stream| {
@@ -66,7 +72,7 @@ pub(super) fn conclude(layout: &Layout, out: &Path, tell: &dyn Fn(&str)) -> Resu
     let mut detected = DetectionTable::default();
     files::write_with(&scenes, |stream| {
         each_line(layout, |line| {
-            reached.add(&line);
+            reached.add(&line, sub_frames(recipe, &line));
             line.vehicles().for_each(|(_, vehicle)| detected.add(vehicle));
             writeln!(stream, "{}", lines::text(&line)?)
         })
@@ -77,6 +83,13 @@ pub(super) fn conclude(layout: &Layout, out: &Path, tell: &dyn Fn(&str)) -> Resu
     tell(&format!("{samples} samples of {asked} vehicles in {scenes} scenes: {place}"));
     reached.lines().iter().for_each(|line| tell(line));
     Ok(())
+}
+
+/// Number of sub-frames in a cycle of the scene's radar, drawn anew: the lines do not tell it.
+fn sub_frames(recipe: &Recipe, scene: &SceneLine) -> usize {
+    let drawn = scene.scene.map(|number| draws::draw(recipe, number..number + 1)).unwrap_or_default();
+    let radar = drawn.first().map(|drawn| &recipe.bases[drawn.base].header.radar);
+    radar.map_or(1, |radar| radar.schedule.sub_frames() as usize)
 }
 
 /// Passes on the lines of all shards in the order of their scenes.

@@ -57,9 +57,10 @@ impl Allowance {
     /// Refuses work whose least expected memory exceeds the allowance.
     pub(crate) fn check(self, least_mib: f64) -> Result<(), Failure> {
         match self.mib() {
-            Some(limit_mib) if least_mib > limit_mib => Err(Failure::Refused(format!(
-                "a frame is expected to hold {least_mib:.0} MiB at least; the limit is {limit_mib:.0} MiB (--memory-limit): fewer \
-                 bounces, coarser models, or fewer channels, chirps and samples need less"
+            Some(limit_mib) if least_mib > limit_mib => Err(Failure::refused(format!(
+                "a frame is expected to hold {least_mib:.0} MiB at least; the limit is {limit_mib:.0} MiB \
+                 (--memory-limit): fewer bounces, coarser models, or fewer channels, chirps and samples need \
+                 less"
             ))),
             _ => Ok(()),
         }

@@ -67,7 +67,7 @@ pub struct ModelErrorFigures {
     pub between_bodies: Option<f64>,
     /// Echoes from behind sheets, where waves are not followed through them.
     pub transmission: Option<f64>,
-    /// Echo of small parts that is drawn at random, relative to that of the meshes.
+    /// Echo of small parts that is drawn at random, relative to the echo without them.
     #[serde(default)]
     pub small_parts: Option<f64>,
     /// Shading between bodies, which far-field tables leave out: always `None`, because it is not estimated.

@@ -5,6 +5,8 @@ use crate::chain::link::{Chain, FrameProducts};
 use crate::host::failure::Failure;
 use crate::outcome::summary::TrackSummary;
 use artifact::tracks::{Track, TracksFrame};
+#[cfg(feature = "classifier")]
+use classifier::track_evidence;
 use dsp::{ROAD_TRAFFIC, Tracker};
 use evaluation::{FrameTruth, Metrics, Score, bodies_of_tracks, confirmed_tracks};
 use std::collections::BTreeMap;
@@ -24,14 +26,16 @@ struct Evidence {
     frames: u32,
 }
 
-/// Lower limit of probabilities in the logarithm: a few other frames outweigh one that is sure and wrong.
-const LEAST_PROBABILITY: f64 = 1e-3;
+/// Evidence of a frame; without the classifier no object has probabilities.
+#[cfg(not(feature = "classifier"))]
+fn track_evidence(_: [f64; 4]) -> [f64; 4] {
+    [0.0; 4]
+}
 
 impl Evidence {
     fn add(&mut self, probabilities: &[f32; 4]) {
-        for (sum, p) in self.log_sums.iter_mut().zip(probabilities) {
-            *sum += f64::from(*p).max(LEAST_PROBABILITY).ln();
-        }
+        let of_frame = track_evidence(probabilities.map(|p| f64::from(p).ln()));
+        self.log_sums.iter_mut().zip(of_frame).for_each(|(sum, log)| *sum += log);
         self.frames += 1;
     }
 }
@@ -80,5 +84,40 @@ impl Tracking {
     /// Metrics of all frames so far.
     pub fn metrics(&self) -> Metrics {
         self.score.metrics()
+    }
+}
+
+#[cfg(all(test, feature = "classifier"))]
+mod tests {
+    use super::*;
+    use crate::chain::class_rule::ClassRule;
+    use artifact::dataset::Split;
+    use classifier::{Sighting, log_softmax, track_logits};
+
+    #[test]
+    fn a_run_gives_a_track_the_probabilities_that_an_evaluation_gives_it() {
+        let frames: [[f32; 4]; 3] = [[1e-7, 1.0, 0.0, 0.0], [0.9, 0.05, 0.05, 0.0], [0.97, 0.01, 0.01, 0.01]];
+        let rule = ClassRule { least_probability: 0.4, frame_correlation: 0.25 };
+        let mut evidence = Evidence::default();
+        frames.iter().for_each(|frame| evidence.add(frame));
+        let in_run = rule.combined(&evidence.log_sums, evidence.frames);
+        let seen = Sighting {
+            features: vec![],
+            cells: vec![],
+            class: 0,
+            model: String::new(),
+            track: (0, 0, 0),
+            split: Split::Test,
+            has_rows: false,
+        };
+        // The logarithm of none is that of far less than any floor.
+        let logits = frames.map(|frame| frame.map(|p| p.max(1e-6).ln()));
+        let joined = track_logits(&[&seen; 3], &logits, 0.25)[0].1;
+        let evaluated = log_softmax(joined.map(f64::from)).map(f64::exp);
+        for (run, evaluated) in in_run.iter().zip(evaluated) {
+            // Logits are f32 of up to 14, and those below 1e-6 add as much to the sum.
+            assert!((f64::from(*run) - evaluated).abs() < 1e-5, "{in_run:?} {evaluated}");
+        }
+        assert_eq!(rule.predict(&in_run).name(), "car");
     }
 }

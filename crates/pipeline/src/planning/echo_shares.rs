@@ -11,7 +11,8 @@ use bart_rcs::{EchoParts, NoProgress, Tracer};
 use num_complex::Complex64;
 use scene::PhysicsKeys;
 
-/// Shares of the echo as relative amplitudes, each the largest of the frames looked at.
+/// Shares of the echo of bodies and point targets as relative amplitudes, each the largest of the frames
+/// looked at.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct EchoShares {
     /// Paths within one body, by order from 1.
@@ -157,4 +158,42 @@ fn of_order(shares: &[f64], order: u8) -> f64 {
 /// Amplitude of shares whose powers add up.
 pub(crate) fn together(shares: &[f64]) -> f64 {
     shares.iter().map(|share| share.powi(2)).sum::<f64>().sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A box of 2 m × 1 m × 1 m without a bottom.
+    const BOX: &str = "v -1 -0.5 0\nv 1 -0.5 0\nv 1 0.5 0\nv -1 0.5 0\nv -1 -0.5 1\nv 1 -0.5 1\nv 1 0.5 1\n\
+                       v -1 0.5 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+    /// The box before a radar that sends little, and a point that scatters as much as a truck's corner.
+    const BOX_AND_POINT: &str = "name = \"shares\"\n[radar.array]\npreset = \"1x4\"\n[radar.waveform]\n\
+        samples = 64\nchirps = 16\n[radar.link]\ntransmit_power_dbm = -20.0\n[noise]\n\
+        noise_figure_db = 12.0\n[[target]]\nkind = \"mesh\"\nid = \"box\"\nmodel = \"box.obj\"\n\
+        position_m = [2.0, 14.0, 0.0]\n[[target]]\nkind = \"point\"\nid = \"point\"\nrcs_m2 = 1000.0\n\
+        position_m = [-2.0, 13.0, 1.0]\n";
+
+    /// Shares in a scene of this text.
+    fn shares_in(text: &str) -> EchoShares {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("scene.toml");
+        std::fs::write(folder.path().join("box.obj"), BOX).unwrap();
+        std::fs::write(&file, text).unwrap();
+        let header = scene::read(&file, &scene::ReadOptions::whole()).unwrap();
+        let said = scene::physics_keys(&file, &[]).unwrap();
+        let tracer = tracer(&header, Allowance::of(None)).unwrap();
+        shares(&header, &said, &tracer).unwrap().unwrap()
+    }
+
+    #[test]
+    fn shares_and_noise_are_those_in_the_echo_of_bodies_and_point_targets() {
+        let (bodies, _) = BOX_AND_POINT.split_once("[[target]]\nkind = \"point\"").unwrap();
+        let [alone, beside] = [bodies, BOX_AND_POINT].map(shares_in);
+        assert!(alone.noise > 0.1, "a weak body: {alone:?}");
+        assert!(beside.noise < 0.1, "a strong point: {beside:?}");
+        let falls = |of: fn(&EchoShares) -> f64| of(&beside) / of(&alone);
+        let by = falls(|of| of.within[0]);
+        assert!(by < 0.1 && (falls(|of| of.by_edges(1)) / by - 1.0).abs() < 1e-9, "{by}: {beside:?}");
+    }
 }

@@ -277,9 +277,23 @@ fn ends(values: impl Iterator<Item = f64>) -> [f64; 2] {
     values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(v), high.max(v)])
 }
 
-/// Axes to scale: as large as width and height allow, with more ground in the remaining room.
+/// Axes to scale: as large as width and height allow beside their numbers, with more ground in the remaining
+/// room.
 fn axes(layout: Layout, way: RoadDirection, region: Region, top: f64) -> Axes {
-    let [left, right] = layout.sides_px();
+    let sides_px = layout.sides_px();
+    let usual = axes_between(sides_px, layout, way, region, top);
+    // Numbers of a smaller scale are as long.
+    let left = usual.with_room_beside(&usual.y.numbered()).x.start_px;
+    if left > sides_px[0] { axes_between([left, sides_px[1]], layout, way, region, top) } else { usual }
+}
+
+fn axes_between(
+    [left, right]: [f64; 2],
+    layout: Layout,
+    way: RoadDirection,
+    region: Region,
+    top: f64,
+) -> Axes {
     let [least_px, most_px] = if layout == Layout::Wide { [230.0, 560.0] } else { [200.0, 470.0] };
     let [across_m, along_m] = region.sizes_m();
     let (width_m, height_m) =

@@ -176,6 +176,7 @@ fn placed(header: &CubeHeader, frame: &PointsFrame, bodies: &[Body], layout: Lay
             x: Axis { from: x[0], to: x[1], start_px: left, end_px: right },
             y: Axis { from: y[0], to: y[1], start_px: bottom, end_px: top },
         };
+        let axes = axes.with_room_beside(&axes.y.numbered());
         View { name: names[i], coordinates: coordinates[i], axes }
     })
 }

@@ -148,7 +148,8 @@ fn axes(header: &CubeHeader, layout: Layout, top: f64) -> Axes {
     let (from, to) = ends(&ranges, header.radar.waveform.range_resolution_m());
     let x = Axis { from, to, start_px: left, end_px: right };
     let (from, to) = ends(&velocities, header.radar.velocity_resolution_mps());
-    Axes { x, y: Axis { from, to, start_px: top + height, end_px: top } }
+    let axes = Axes { x, y: Axis { from, to, start_px: top + height, end_px: top } };
+    axes.with_room_beside(&axes.y.numbered())
 }
 
 /// Outer edges of the first and last cell; a single cell is as wide as the resolution.

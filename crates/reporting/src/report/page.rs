@@ -30,9 +30,9 @@ pub(super) fn page(summary: &Summary, figures: &Figures, origin: &ReportOrigin) 
             (tables::radar(&summary.radar, frames))
             @if let Some(told) = &summary.plan { (plan::section(told)) }
             @if frames.len() > 1 { (tracks::section(metrics)) }
-            @if !figures.strip.is_empty() { (strip(frames, figures)) }
-            @for (number, frame) in frames.iter().take(FRAMES_TOLD).enumerate() {
-                (section(number, frame, figures.frames.get(number)))
+            @if !figures.strip.is_empty() { (strip(summary, figures)) }
+            @for number in 0..frames.len().min(FRAMES_TOLD) {
+                (section(number, summary, figures.frames.get(number)))
             }
             @if frames.len() > FRAMES_TOLD {
                 p { "Frames " (FRAMES_TOLD) " to " (frames.len() - 1) " are in "
@@ -83,11 +83,11 @@ pub fn sheet(name: &str, content: Markup) -> String {
 const FRAMES_TOLD: usize = 24;
 
 /// Section on the whole of a long scene: detections by place, and every n-th frame from above.
-fn strip(frames: &[FrameSummary], figures: &Figures) -> Markup {
+fn strip(summary: &Summary, figures: &Figures) -> Markup {
     html! {
         section {
             h2 { "The whole scene" }
-            (tables::scene(frames))
+            (tables::scene(&summary.radar, &summary.frames))
             @for (number, plan) in &figures.strip {
                 (figure(&format!("Frame {number}: truth, detected points and objects"), plan))
             }
@@ -109,14 +109,15 @@ fn lead(frames: &[FrameSummary], metrics: &Metrics) -> String {
     )
 }
 
-fn section(number: usize, frame: &FrameSummary, figures: Option<&FrameFigures>) -> Markup {
+fn section(number: usize, summary: &Summary, figures: Option<&FrameFigures>) -> Markup {
+    let frame = &summary.frames[number];
     html! {
         section {
             h2 { "Frame " (number) " at " (tables::rounded(frame.time_s, 3)) " s" }
             @if let Some(f) = figures { (figure("Truth, detected points and objects, to scale.", &f.plan)) }
             (accuracy::section("", &frame.accuracy))
             h3 { "Truth beside estimate" }
-            (tables::targets(&frame.targets))
+            (tables::targets(&summary.radar, &frame.targets))
             (false_objects::section("", &frame.false_objects, &frame.stationary_objects))
             @if let Some(f) = figures {
                 (figure("Power summed over all channels. Crosses mark the truth, rings the detected objects.", &f.rdm))

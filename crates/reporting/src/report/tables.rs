@@ -45,11 +45,11 @@ fn aliased(frames: &[FrameSummary]) -> String {
 }
 
 /// Table of the targets found over all frames, with their lanes.
-pub(super) fn scene(frames: &[FrameSummary]) -> Markup {
+pub(super) fn scene(radar: &RadarSummary, frames: &[FrameSummary]) -> Markup {
     let all = || frames.iter().flat_map(|frame| &frame.targets);
     let count = |of: &dyn Fn(&TargetSummary) -> bool| all().filter(|target| of(target)).count();
     let is_to_be_found = |t: &TargetSummary| t.found.is_some();
-    let in_lane = |t: &TargetSummary| t.estimate.is_some() && t.truth.lane.is_some();
+    let in_lane = |t: &TargetSummary| radar.tells_azimuth && t.estimate.is_some() && t.truth.lane.is_some();
     let lane_is_right = |t: &TargetSummary| in_lane(t) && t.estimate.is_some_and(|e| e.lane == t.truth.lane);
     let share = |part: usize, of: usize| format!("{part} of {of}");
     let rows = [
@@ -65,7 +65,7 @@ pub(super) fn scene(frames: &[FrameSummary]) -> Markup {
 }
 
 /// Table of truth, estimate and error, one row per target.
-pub(super) fn targets(targets: &[TargetSummary]) -> Markup {
+pub(super) fn targets(radar: &RadarSummary, targets: &[TargetSummary]) -> Markup {
     let table = html! { table {
         thead { tr {
             th { "target" } th { "range, m" } th { "true" } th { "error" }
@@ -73,12 +73,12 @@ pub(super) fn targets(targets: &[TargetSummary]) -> Markup {
             th { "x, m" } th { "true" } th { "error" } th { "lane" } th { "true" }
             th { "SNR, dB" } th { "points" } th { "share marked as ghost" }
         } }
-        tbody { @for target in targets { (target_row(target)) } }
+        tbody { @for target in targets { (target_row(radar, target)) } }
     } };
     scrolled("Truth beside estimate", table)
 }
 
-fn target_row(target: &TargetSummary) -> Markup {
+fn target_row(radar: &RadarSummary, target: &TargetSummary) -> Markup {
     let (id, truth) = (&target.id, &target.truth);
     let Some(estimate) = &target.estimate else {
         let is_missed = target.found.is_some();
@@ -89,12 +89,13 @@ fn target_row(target: &TargetSummary) -> Markup {
         };
         return html! { tr { td { (id) } td.words.bad[is_missed] colspan="14" { (words) } } };
     };
+    let is_wrong_lane = radar.tells_azimuth && estimate.lane != truth.lane;
     html! { tr {
         td { (id) }
         (compared(estimate.range_m, truth.compared_range_m(), 2))
         (compared(estimate.radial_velocity_mps, truth.compared_radial_velocity_mps(), 3))
         (compared(estimate.x_m, truth.x_m, 2))
-        td.bad[estimate.lane != truth.lane] { (whole(estimate.lane)) } td { (whole(truth.lane)) }
+        td.bad[is_wrong_lane] { (whole(estimate.lane)) } td { (whole(truth.lane)) }
         td { (rounded(estimate.snr_db, 1)) } td { (estimate.points) }
         td { (rounded(estimate.ghost_share, 2)) }
     } }
@@ -191,4 +192,46 @@ pub(super) fn rounded(value: impl Into<Option<f64>>, digits: usize) -> String {
 
 fn whole(value: Option<impl Display>) -> String {
     value.map_or("–".into(), |v| v.to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pipeline::outcome::summary::{Estimate, TruthSummary};
+
+    /// Summary of a radar whose array tells an azimuth or not.
+    fn radar(tells_azimuth: &str) -> RadarSummary {
+        let numbers = "\"carrier_hz\":77e9,\"bandwidth_hz\":6e8,\"chirp_interval_s\":6e-5,\
+                       \"samples_per_chirp\":256,\"chirps\":128,\"channels\":1,\"element_errors\":null,\
+                       \"range_resolution_m\":0.24,\"range_max_m\":61.0,\"velocity_resolution_mps\":0.25,\
+                       \"velocity_max_mps\":16.0,\"sample_rate_hz\":5e6,\"sampling\":\"complex\"";
+        serde_json::from_str(&format!("{{{numbers},\"tells_azimuth\":{tells_azimuth}}}")).unwrap()
+    }
+
+    /// A target in lane 1 whose object is in none.
+    fn target() -> TargetSummary {
+        let estimate = Estimate {
+            range_m: 30.0,
+            radial_velocity_mps: 0.0,
+            x_m: 0.0,
+            y_m: 30.0,
+            z_m: 0.75,
+            lane: None,
+            snr_db: 20.0,
+            points: 1,
+            ghost_share: None,
+            stationary: None,
+        };
+        let truth = TruthSummary { lane: Some(1), ..TruthSummary::default() };
+        TargetSummary { truth, estimate: Some(estimate), found: Some(true), ..TargetSummary::default() }
+    }
+
+    #[test]
+    fn no_lane_is_wrong_where_the_array_tells_no_azimuth() {
+        let marked = |tells_azimuth| {
+            let table = targets(&radar(tells_azimuth), &[target()]).into_string();
+            table.contains("<td class=\"bad\">–</td><td>1</td>")
+        };
+        assert_eq!([marked("true"), marked("false")], [true, false]);
+    }
 }

@@ -60,7 +60,7 @@ impl FirstErrors {
 }
 
 impl<'s> Diagnostics<'s> {
-    /// Nothing is wrong yet with the text of a scene or of its materials.
+    /// Nothing is wrong yet with the text of a scene.
     pub(crate) fn new(file: &'s Path, text: &'s str) -> Self {
         Self::of_tables(file, text, keys::TABLES)
     }

@@ -162,13 +162,13 @@ pub enum Rule {
         /// Heading of the table of `nearest`, if it is another table.
         home: Option<&'static str>,
     },
-    /// A key that exists in another table.
-    #[error("unknown key `{found}` here; it belongs into {table}")]
+    /// A key that exists in other tables.
+    #[error("unknown key `{found}` here; it belongs into {}", either(.tables))]
     WrongTable {
         /// Key in the file.
         found: String,
-        /// Heading of the table where the key belongs, as in the file.
-        table: &'static str,
+        /// Headings of the tables that have the key, as in the file, the likeliest first.
+        tables: Vec<&'static str>,
     },
     /// A key that exists, but does not apply here.
     #[error("key `{key}` has no meaning for {owner}")]
@@ -380,7 +380,10 @@ pub enum Rule {
         lanes: usize,
     },
     /// No radar was selected although there are several.
-    #[error("the scene has several radars, and is read as one of them has it: {}", quoted(.known))]
+    #[error(
+        "the scene has several radars, and is read as one of them has it: {}; choose one by --radar, in a study and in Python by `radar`",
+        quoted(.known)
+    )]
     WhichRadar {
         /// Names of the scene's radars.
         known: Vec<String>,
@@ -499,6 +502,15 @@ fn nearest_key(nearest: &Option<&'static str>) -> String {
 
 fn of_table(home: &Option<&'static str>) -> String {
     home.map_or(String::new(), |home| format!(" of {home}"))
+}
+
+/// Alternatives in a sentence: `a, b or c`.
+fn either(alternatives: &[&str]) -> String {
+    match alternatives {
+        [] => String::new(),
+        [one] => (*one).to_owned(),
+        [others @ .., last] => format!("{} or {last}", others.join(", ")),
+    }
 }
 
 fn quoted(words: &[impl fmt::Display]) -> String {

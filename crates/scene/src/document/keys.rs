@@ -18,6 +18,8 @@ pub(crate) mod scene;
 mod page;
 mod schema;
 
+use toml::de::DeValue;
+
 pub use key::Table;
 pub use page::{mark, markdown, with_tables};
 pub use schema::json_schema;
@@ -47,7 +49,22 @@ pub const TABLES: &[Table] = &[
     traffic::MODEL_OF_TYPE,
 ];
 
-/// The heading of one of these tables, other than `here`, that knows `key`.
-pub(crate) fn table_with_key(tables: &'static [Table], key: &str, here: &Table) -> Option<&'static str> {
-    tables.iter().find(|table| table.name != here.name && table.has(key)).map(|table| table.heading)
+/// Tables of a file of materials.
+pub(crate) const MATERIAL_FILE_TABLES: &[Table] =
+    &[scene::MATERIAL_FILE, materials::MATERIAL, materials::LAYER];
+
+/// Headings of the tables, other than `here`, that know `key`, the likeliest first: `[[target]]`, and outer
+/// tables before inner ones. If some of them take values of the type of `value`, the others are left out.
+pub(crate) fn tables_with_key(
+    tables: &'static [Table],
+    (key, value): (&str, &DeValue<'_>),
+    here: &Table,
+) -> Vec<&'static str> {
+    let mut homes: Vec<&Table> =
+        tables.iter().filter(|table| table.name != here.name && table.has(key)).collect();
+    if homes.iter().any(|table| table.takes(key, value)) {
+        homes.retain(|table| table.takes(key, value));
+    }
+    homes.sort_by_key(|table| (table.name != bodies::TARGET.name, table.name.matches('.').count()));
+    homes.into_iter().map(|table| table.heading).collect()
 }

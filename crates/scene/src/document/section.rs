@@ -97,10 +97,10 @@ impl<'d> Section<'d> {
     }
 
     fn checked(self) -> Self {
-        for (key, _) in self.table.into_iter().flat_map(|table| table.iter()) {
+        for (key, value) in self.table.into_iter().flat_map(|table| table.iter()) {
             let found = key.get_ref().as_ref();
             if !self.known.has(found)
-                && let Some(rule) = self.unexpected_key(found)
+                && let Some(rule) = self.unexpected_key(found, value.get_ref())
             {
                 self.note_at(key.span(), rule);
             }
@@ -109,9 +109,9 @@ impl<'d> Section<'d> {
     }
 
     /// Rule that a key breaks which the table does not have.
-    fn unexpected_key(&self, found: &str) -> Option<Rule> {
+    fn unexpected_key(&self, found: &str, value: &DeValue<'_>) -> Option<Rule> {
         match self.diagnostics.unknown_keys() {
-            UnknownKeys::Refused => Some(unknown_key(found, self.known, self.diagnostics.tables())),
+            UnknownKeys::Refused => Some(unknown_key((found, value), self.known, self.diagnostics.tables())),
             UnknownKeys::Allowed => {
                 let absent: Vec<&'static str> =
                     self.known.names().filter(|key| self.find(key).is_none()).collect();
@@ -202,21 +202,20 @@ fn key_of(table: &'static Table) -> &'static str {
 /// Four letters in five alike are no coincidence; fewer may be, and a different word has none.
 const LEAST_SIMILARITY: f64 = 0.85;
 
-fn unknown_key(found: &str, table: &Table, tables: &'static [Table]) -> Rule {
+fn unknown_key((found, value): (&str, &DeValue<'_>), table: &Table, tables: &'static [Table]) -> Rule {
     let found_here = found.to_owned();
     let here = |nearest| Rule::UnknownKey { found: found_here.clone(), nearest, home: None };
     if let Some(meant) = synonyms::synonym_in_table(found, table) {
         return here(Some(meant));
     }
-    if let Some(home) = keys::table_with_key(tables, found, table) {
-        return Rule::WrongTable { found: found_here, table: home };
+    let homes = |key| keys::tables_with_key(tables, (key, value), table);
+    let of_key = homes(found);
+    if !of_key.is_empty() {
+        return Rule::WrongTable { found: found_here, tables: of_key };
     }
     let known: Vec<&str> = table.names().collect();
-    let elsewhere = |key| Some((key, keys::table_with_key(tables, key, table)?));
-    match (
-        nearest_from(LEAST_SIMILARITY, found, &known),
-        synonyms::synonym_in_any_table(found).and_then(elsewhere),
-    ) {
+    let elsewhere = |key| Some((key, *homes(key).first()?));
+    match (nearest_from(LEAST_SIMILARITY, found, &known), synonyms::synonyms(found).find_map(elsewhere)) {
         (None, Some((meant, home))) => {
             Rule::UnknownKey { found: found_here, nearest: Some(meant), home: Some(home) }
         }

@@ -94,15 +94,11 @@ const SYNONYMS: [(&str, &[&str]); 86] = [
 
 /// The key of `table` meant by another program's name.
 pub(crate) fn synonym_in_table(found: &str, table: &Table) -> Option<&'static str> {
-    candidates(found).find(|key| table.has(key))
+    synonyms(found).find(|key| table.has(key))
 }
 
-/// The key of any table meant by another program's name.
-pub(crate) fn synonym_in_any_table(found: &str) -> Option<&'static str> {
-    candidates(found).next()
-}
-
-fn candidates(found: &str) -> impl Iterator<Item = &'static str> {
+/// Keys of any table meant by another program's name, the likelier first.
+pub(crate) fn synonyms(found: &str) -> impl Iterator<Item = &'static str> + use<> {
     let found = found.to_ascii_lowercase();
     let row = SYNONYMS.iter().find(|(word, _)| *word == found);
     row.into_iter().flat_map(|(_, keys)| keys.iter().copied())

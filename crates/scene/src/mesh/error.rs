@@ -28,6 +28,17 @@ impl MeshError {
         }
     }
 
+    /// The error of a file that replaces a target's model: no key gives its unit.
+    pub(crate) fn of_replacement(self) -> Self {
+        let fault = match self.fault {
+            MeshFault::Size { size_m, least_m, most_m } => {
+                MeshFault::ReplacementSize { size_m, least_m, most_m }
+            }
+            other => other,
+        };
+        Self { fault, ..self }
+    }
+
     /// The whole sentence, with quotations of the file at any length.
     fn sentence(&self) -> String {
         let (file, fault) = (self.file.display(), &self.fault);
@@ -257,6 +268,9 @@ pub enum MeshFault {
     /// Corners are left over after the last triangle.
     #[error("{0} corners are no whole triangles")]
     Corners(usize),
+    /// A facet of STL that is no triangle.
+    #[error("a facet of {0} vertices is no triangle")]
+    FacetCorners(usize),
     /// A polygon with too many corners.
     #[error("is a polygon of {corners} corners; at most {limit} are cut into triangles")]
     TooManyCorners {
@@ -317,6 +331,20 @@ pub enum MeshFault {
     /// The model's size is implausible in metres.
     #[error("is {} m large, not {} to {} m: say how many metres a unit is, by `unit_scale` (of `rcs` by --unit-scale)", WrittenNumber(*.size_m), WrittenNumber(*.least_m), WrittenNumber(*.most_m))]
     Size {
+        /// Longest side of the bounding box.
+        size_m: f64,
+        /// Smallest size accepted as metres.
+        least_m: f64,
+        /// Largest size accepted as metres.
+        most_m: f64,
+    },
+    /// The size in metres of a file that replaces a target's model is implausible.
+    #[error(
+        "is {} m large, not {} to {} m, and `--model` takes files in metres, whatever `unit_scale` the target \
+         has: name the file as the target's `model`, with its own `unit_scale`",
+        WrittenNumber(*.size_m), WrittenNumber(*.least_m), WrittenNumber(*.most_m)
+    )]
+    ReplacementSize {
         /// Longest side of the bounding box.
         size_m: f64,
         /// Smallest size accepted as metres.

@@ -61,25 +61,27 @@ impl<'d> Accessors<'d> {
             None => vec![DVec3::ZERO; accessor.count.0 as usize],
         };
         if let Some(sparse) = &accessor.sparse {
-            self.replace_sparse(place, sparse, encoding, &mut vectors)?;
+            let decode = |bytes: &[u8]| encoding.vector(bytes);
+            self.replace_sparse(place, sparse, encoding.vector_bytes(), decode, &mut vectors)?;
         }
         let vectors = Rc::new(vectors);
         self.vectors.insert(index, vectors.clone());
         Ok(vectors)
     }
 
-    fn replace_sparse(
+    /// Replaces some items by the sparse values, of `size` bytes each.
+    fn replace_sparse<T>(
         &self,
         place: MeshPlace,
         sparse: &Sparse,
-        encoding: Encoding,
-        vectors: &mut [DVec3],
+        size: u64,
+        decode: impl Fn(&[u8]) -> T,
+        items: &mut [T],
     ) -> Result<(), LocatedFault> {
         let (values, count) = (&sparse.values, sparse.count.0);
-        let values =
-            self.elements(place, values.buffer_view, values.byte_offset.0, count, encoding.vector_bytes())?;
-        for (i, bytes) in self.sparse_indices(place, sparse, vectors.len())?.into_iter().zip(values.iter()) {
-            vectors[i] = encoding.vector(bytes);
+        let values = self.elements(place, values.buffer_view, values.byte_offset.0, count, size)?;
+        for (i, bytes) in self.sparse_indices(place, sparse, items.len())?.into_iter().zip(values.iter()) {
+            items[i] = decode(bytes);
         }
         Ok(())
     }
@@ -92,18 +94,25 @@ impl<'d> Accessors<'d> {
             || place.fault(MeshFault::AccessorType { expected: "scalars of 8, 16 or 32 unsigned bits" });
         let component = match (accessor.type_, accessor.component_type) {
             (Checked::Valid(Type::Scalar), Checked::Valid(GenericComponentType(component)))
-                if is_index(component) && !accessor.normalized && accessor.sparse.is_none() =>
+                if is_index(component) && !accessor.normalized =>
             {
                 component
             }
             _ => return Err(refuse()),
         };
-        let elements =
-            self.base(place, accessor, size_of(component))?.ok_or_else(|| place.fault(MeshFault::NoView))?;
-        if elements.count as u64 > CORNER_LIMIT {
+        let size = size_of(component);
+        let base = self.base(place, accessor, size)?;
+        if accessor.count.0 > CORNER_LIMIT {
             return Err(too_many_triangles());
         }
-        Ok(elements.iter().map(decode_index).collect())
+        let mut corners: Vec<u32> = match base {
+            Some(elements) => elements.iter().map(decode_index).collect(),
+            None => vec![0; accessor.count.0 as usize],
+        };
+        if let Some(sparse) = &accessor.sparse {
+            self.replace_sparse(place, sparse, size, decode_index, &mut corners)?;
+        }
+        Ok(corners)
     }
 
     fn accessor(&self, user: MeshPlace, index: usize) -> Result<&'d Accessor, LocatedFault> {

@@ -7,7 +7,6 @@ use crate::mesh::gltf_buffers::{self, read_buffers};
 use crate::mesh::gltf_json::check_values;
 use crate::mesh::gltf_nodes::{Instance, instances};
 use crate::mesh::part::{Part, check_count};
-use bodies::names_a_wheel;
 use glam::{DMat3, DVec3};
 use gltf::json::mesh::{Mode, Primitive, Semantic};
 use gltf::json::validation::Checked;
@@ -100,7 +99,6 @@ fn read_mesh_instance(
         let place = MeshPlace::Primitive { mesh: instance.mesh, primitive: 0 };
         return Err(place.fault(MeshFault::Deformed("morph weights")));
     }
-    let is_of_wheel = instance.is_of_wheel || mesh.name.as_deref().is_some_and(names_a_wheel);
     for (primitive, content) in mesh.primitives.iter().enumerate() {
         let place = MeshPlace::Primitive { mesh: instance.mesh, primitive };
         collector.primitives += 1;
@@ -109,7 +107,7 @@ fn read_mesh_instance(
         }
         let material = collector.material(root, content).map_err(|fault| place.fault(fault))?;
         let Some(mut part) = read_primitive(accessors, instance, place, content, material)? else { continue };
-        part.is_of_wheel |= is_of_wheel;
+        part.is_of_wheel |= instance.is_of_wheel;
         collector.triangles += part.triangles.len();
         check_count(collector.triangles)?;
         collector.parts.push(part);

@@ -3,8 +3,8 @@
 use crate::mesh::error::{LocatedFault, MeshFault, MeshPlace};
 use bodies::names_a_wheel;
 use glam::{DMat4, DQuat, DVec3, DVec4};
-use gltf::json::Root;
 use gltf::json::scene::Node;
+use gltf::json::{Mesh, Root};
 
 /// A mesh with its transform.
 pub(crate) struct Instance {
@@ -12,8 +12,9 @@ pub(crate) struct Instance {
     pub mesh: usize,
     /// Transform from the mesh's own axes to the scene's.
     pub scene_from_mesh: DMat4,
-    /// Whether the name of its node, or of an ancestor other than a root of the scene, is that of a road
-    /// wheel.
+    /// Whether its name, that of its node, or that of an ancestor other than a root of the scene, is that of
+    /// a road wheel. The name of a single root with children is that of the whole body, and so is the same
+    /// name of the root's own mesh.
     pub is_of_wheel: bool,
 }
 
@@ -30,9 +31,12 @@ struct PendingNode {
 /// each mesh untransformed), parents before children, in the order of the file.
 pub(crate) fn instances(root: &Root) -> Result<Vec<Instance>, LocatedFault> {
     if root.nodes.is_empty() {
-        return Ok((0..root.meshes.len())
-            .map(|mesh| Instance { mesh, scene_from_mesh: DMat4::IDENTITY, is_of_wheel: false })
-            .collect());
+        let untransformed = |(index, mesh): (usize, &Mesh)| Instance {
+            mesh: index,
+            scene_from_mesh: DMat4::IDENTITY,
+            is_of_wheel: mesh.name.as_deref().is_some_and(names_a_wheel),
+        };
+        return Ok(root.meshes.iter().enumerate().map(untransformed).collect());
     }
     let mut found = vec![];
     let mut reached = vec![false; root.nodes.len()];
@@ -44,7 +48,9 @@ pub(crate) fn instances(root: &Root) -> Result<Vec<Instance>, LocatedFault> {
         is_of_wheel: false,
         is_root: true,
     };
-    let mut pending: Vec<PendingNode> = roots(root)?.into_iter().rev().map(of_root).collect();
+    let roots = roots(root)?;
+    let whole_body = name_of_whole_body(root, &roots);
+    let mut pending: Vec<PendingNode> = roots.into_iter().rev().map(of_root).collect();
     while let Some(PendingNode { index, scene_from_parent, is_of_wheel, is_root }) = pending.pop() {
         let place = MeshPlace::Node(index);
         let count = root.nodes.len();
@@ -57,7 +63,12 @@ pub(crate) fn instances(root: &Root) -> Result<Vec<Instance>, LocatedFault> {
         let scene_from_node = scene_from_parent * parent_from_node;
         let names_wheel = node.name.as_deref().is_some_and(names_a_wheel);
         let own = instance(root, place, node, scene_from_node)?;
-        found.extend(own.map(|own| Instance { is_of_wheel: is_of_wheel || names_wheel, ..own }));
+        let of_whole = whole_body.filter(|_| is_root);
+        let names_own = |mesh: usize| {
+            let names = [node.name.as_deref(), root.meshes[mesh].name.as_deref()];
+            names.into_iter().filter(|name| *name != of_whole).flatten().any(names_a_wheel)
+        };
+        found.extend(own.map(|own| Instance { is_of_wheel: is_of_wheel || names_own(own.mesh), ..own }));
         pending.extend(node.children.iter().flatten().rev().map(|child| PendingNode {
             index: child.value(),
             scene_from_parent: scene_from_node,
@@ -80,6 +91,13 @@ fn roots(root: &Root) -> Result<Vec<usize>, LocatedFault> {
     let no_such = || MeshPlace::File.fault(MeshFault::NoSuch { what: "scene", index: shown, count });
     let scene = root.scenes.get(shown).ok_or_else(no_such)?;
     Ok(scene.nodes.iter().map(|node| node.value()).collect())
+}
+
+/// Name of the only root if it has children: that of the whole body, which says nothing about its parts.
+fn name_of_whole_body<'d>(root: &'d Root, roots: &[usize]) -> Option<&'d str> {
+    let [only] = roots else { return None };
+    let node = root.nodes.get(*only).filter(|node| node.children.iter().flatten().next().is_some())?;
+    node.name.as_deref()
 }
 
 fn instance(

@@ -23,8 +23,8 @@ type Corner = (u32, Option<u32>);
 
 #[derive(Default)]
 struct Document {
-    vertices: Vec<DVec3>,
-    normals: Vec<DVec3>,
+    vertices: Vectors,
+    normals: Vectors,
     /// Groups by material and by whether the corners have normals; materials in the order of their first use.
     groups: Vec<Group>,
     /// Indices of the groups.
@@ -32,6 +32,14 @@ struct Document {
     triangles: usize,
     /// Comparisons made in cutting polygons.
     comparisons: u64,
+}
+
+/// Vectors in the order of their lines.
+#[derive(Default)]
+struct Vectors {
+    values: Vec<DVec3>,
+    /// Lines of those that are not finite, by index: refused only where a face has them.
+    lines_of_not_finite: HashMap<u32, u64>,
 }
 
 struct Group {
@@ -52,7 +60,8 @@ pub(crate) fn read_obj(bytes: &[u8]) -> Result<Vec<Part>, LocatedFault> {
     let mut document = Document::default();
     let mut material = Rc::default();
     for (line, number) in logical_lines(text) {
-        document.read_line(&line, &mut material).map_err(|fault| MeshPlace::Line(number).fault(fault))?;
+        let read = document.read_line(&line, number, &mut material);
+        read.map_err(|fault| MeshPlace::Line(number).fault(fault))?;
         check_count(document.triangles)?;
     }
     document.into_parts()
@@ -82,13 +91,13 @@ fn without_comment(line: &str) -> &str {
 }
 
 impl Document {
-    fn read_line(&mut self, line: &str, material: &mut Rc<str>) -> Result<(), MeshFault> {
+    fn read_line(&mut self, line: &str, number: u64, material: &mut Rc<str>) -> Result<(), MeshFault> {
         let content = without_comment(line);
         let mut words = content.split_ascii_whitespace();
         match words.next() {
             None => {}
-            Some("v") => self.vertices.push(three_numbers(words)?),
-            Some("vn") => self.normals.push(three_numbers(words)?),
+            Some("v") => self.vertices.push(three_numbers(words)?, number),
+            Some("vn") => self.normals.push(three_numbers(words)?, number),
             Some("f") => self.read_face(words, material)?,
             Some("usemtl") => {
                 *material = content.trim().strip_prefix("usemtl").unwrap_or_default().trim().into()
@@ -99,7 +108,7 @@ impl Document {
                 return Err(MeshFault::Expected { expected, found: excerpt(other) });
             }
         }
-        check_vectors(self.vertices.len() + self.normals.len())
+        check_vectors(self.vertices.values.len() + self.normals.values.len())
     }
 
     fn read_face<'w>(
@@ -117,7 +126,8 @@ impl Document {
         let corners: Vec<Corner> = words.map(|word| self.corner(word)).collect::<Result<_, _>>()?;
         let given = corners.iter().all(|(_, normal)| normal.is_some());
         let normals = if given { Normals::Given } else { Normals::Absent };
-        let points: Vec<DVec3> = corners.iter().map(|(vertex, _)| self.vertices[*vertex as usize]).collect();
+        let points: Vec<DVec3> =
+            corners.iter().map(|(vertex, _)| self.vertices.values[*vertex as usize]).collect();
         let triangles = triangulate(&points, &mut self.comparisons);
         if self.comparisons > COMPARISON_LIMIT {
             return Err(MeshFault::TooDented { limit: COMPARISON_LIMIT });
@@ -139,8 +149,8 @@ impl Document {
     /// Corner written as `v`, `v/vt`, `v//vn` or `v/vt/vn`.
     fn corner(&self, word: &str) -> Result<Corner, MeshFault> {
         let mut fields = word.split('/');
-        let vertex = index(fields.next().unwrap_or_default(), self.vertices.len())?;
-        let normal = fields.nth(1).map(|field| index(field, self.normals.len())).transpose()?;
+        let vertex = index(fields.next().unwrap_or_default(), self.vertices.values.len())?;
+        let normal = fields.nth(1).map(|field| index(field, self.normals.values.len())).transpose()?;
         Ok((vertex, normal))
     }
 
@@ -151,17 +161,36 @@ impl Document {
     }
 }
 
+impl Vectors {
+    fn push(&mut self, value: DVec3, line: u64) {
+        if !value.is_finite() {
+            self.lines_of_not_finite.insert(self.values.len() as u32, line);
+        }
+        self.values.push(value);
+    }
+
+    /// Refuses a vector that is not finite, with its line and its number, which counts from 1.
+    fn check_finite(&self, index: u32, rule: fn(usize) -> MeshFault) -> Result<(), LocatedFault> {
+        let line = self.lines_of_not_finite.get(&index);
+        line.map_or(Ok(()), |line| Err(MeshPlace::Line(*line).fault(rule(index as usize + 1))))
+    }
+}
+
 /// Turns a group into a part: corners with the same vertex and normal become one vertex; nothing else is
 /// joined.
-fn into_part(group: Group, vertices: &[DVec3], normals: &[DVec3]) -> Result<Part, LocatedFault> {
+fn into_part(group: Group, vertices: &Vectors, normals: &Vectors) -> Result<Part, LocatedFault> {
     let given = group.normals == Normals::Given;
     let key = |(vertex, normal): Corner| (vertex, normal.filter(|_| given));
     let mut numbers: BTreeMap<Corner, u32> =
         group.triangles.iter().flatten().map(|corner| (key(*corner), 0)).collect();
     numbers.values_mut().zip(0..).for_each(|(number, next)| *number = next);
-    let positions: Vec<DVec3> = numbers.keys().map(|(vertex, _)| vertices[*vertex as usize]).collect();
+    for (vertex, normal) in numbers.keys() {
+        vertices.check_finite(*vertex, MeshFault::Vertex)?;
+        normal.map_or(Ok(()), |normal| normals.check_finite(normal, MeshFault::Normal))?;
+    }
+    let positions: Vec<DVec3> = numbers.keys().map(|(vertex, _)| vertices.values[*vertex as usize]).collect();
     let of_corners: Vec<DVec3> =
-        numbers.keys().filter_map(|(_, normal)| Some(normals[(*normal)? as usize])).collect();
+        numbers.keys().filter_map(|(_, normal)| Some(normals.values[(*normal)? as usize])).collect();
     let triangles =
         group.triangles.iter().map(|corners| corners.map(|corner| numbers[&key(corner)])).collect();
     let of_corners = given.then_some(of_corners.as_slice());

@@ -59,22 +59,21 @@ fn vector(bytes: &[u8]) -> DVec3 {
 fn read_text(bytes: &[u8]) -> Result<Vec<DVec3>, LocatedFault> {
     let text = std::str::from_utf8(bytes).map_err(|_| MeshPlace::File.fault(MeshFault::NotText))?;
     let mut corners = vec![];
-    let mut is_within = true;
+    let (mut is_within, mut in_facet) = (true, 0);
     for (line, number) in text.lines().zip(1_u64..) {
         let place = MeshPlace::Line(number);
         let mut words = line.split_ascii_whitespace();
-        let whole_facets = corners.len() % 3 == 0;
         let word = words.next().map(str::to_ascii_lowercase);
         is_within = word.as_ref().map_or(is_within, |word| word != "endsolid");
         match word.as_deref() {
             Some("vertex") => {
                 check_count(corners.len() / 3)?;
                 corners.push(three_numbers(words).map_err(|fault| place.fault(fault))?);
+                in_facet += 1;
             }
-            Some("endfacet") if !whole_facets => {
-                return Err(place.fault(MeshFault::Corners(corners.len() % 3)));
-            }
-            None | Some("solid" | "facet" | "outer" | "endloop" | "endfacet" | "endsolid") => {}
+            Some("endfacet") if in_facet != 3 => return Err(place.fault(MeshFault::FacetCorners(in_facet))),
+            Some("endfacet") => in_facet = 0,
+            None | Some("solid" | "facet" | "outer" | "endloop" | "endsolid") => {}
             Some(other) => {
                 let expected = "a line of STL (solid, facet, outer, vertex, endloop, endfacet, endsolid)";
                 return Err(place.fault(MeshFault::Expected { expected, found: excerpt(other) }));

@@ -91,19 +91,26 @@ impl Models {
         (self.materials, self.frequency_hz) = (materials.clone(), frequency_hz);
     }
 
-    /// Chooses the model of a mesh target; faults are noted at its key.
+    /// Chooses the model of a mesh target, which an option may replace; faults are noted at its key.
     pub(crate) fn choose(&mut self, target: &Section<'_>) -> Option<ChosenModel> {
         if self.options.model.is_none() {
             target.require(MODEL.name);
         }
         let written = target.read(&MODEL);
-        self.choose_written(target, written.or(self.options.model.is_some().then_some(""))?)
+        let Some(path) = &self.options.model else { return self.choose_written(target, written?) };
+        // Scale and seed belong to what is replaced; their faults are noted all the same.
+        target.read(&UNIT_SCALE);
+        target.read(&VEHICLE_SEED);
+        let model = replacing(target, path)?;
+        Some(self.chosen(target, model))
     }
 
-    /// Chooses the model of that name, with scale and seed from the section; faults are noted there.
-    pub(crate) fn choose_written(&mut self, target: &Section<'_>, written: &str) -> Option<ChosenModel> {
-        let model = self.named(target, written)?;
-        Some(self.chosen(target, model))
+    /// Chooses the model of that name, which no option replaces, with scale and seed from the section; faults
+    /// are noted there.
+    pub(crate) fn choose_written(&mut self, section: &Section<'_>, written: &str) -> Option<ChosenModel> {
+        let (unit_scale, seed) = (section.read(&UNIT_SCALE), section.read(&VEHICLE_SEED));
+        let model = named_model(section, written, &self.folder, unit_scale, seed)?;
+        Some(self.chosen(section, model))
     }
 
     fn chosen(&mut self, target: &Section<'_>, model: Model) -> ChosenModel {
@@ -201,20 +208,10 @@ impl Models {
         self.other_inputs.iter().cloned().chain(paths.flat_map(|path| mesh::files(path))).collect()
     }
 
-    /// The model named by the options or else by the target, with its scale and seed.
-    fn named(&self, target: &Section<'_>, written: &str) -> Option<Model> {
-        let unit_scale = target.read(&UNIT_SCALE);
-        let seed = target.read(&VEHICLE_SEED);
-        if let Some(path) = &self.options.model {
-            return replacing(target, path);
-        }
-        named_model(target, written, &self.folder, unit_scale, seed)
-    }
-
     fn add(&mut self, target: &Section<'_>, model: Model) -> usize {
         let mesh = match self.options.meshes {
             MeshLoading::Whole if self.triangles > TRIANGLE_LIMIT => Mesh::default(), // noted already
-            MeshLoading::Whole => load(target, &model),
+            MeshLoading::Whole => load(target, &model, self.options.model.as_deref()),
             MeshLoading::NamesOnly => Mesh { name: model.name(), ..Mesh::default() },
         };
         let room = TRIANGLE_LIMIT.saturating_sub(self.triangles);
@@ -244,7 +241,8 @@ impl Models {
     }
 }
 
-/// The model named by an option; its path need not be Unicode.
+/// The model named by an option: a file in metres, or an own vehicle of the default seed. Its path need not
+/// be Unicode.
 fn replacing(target: &Section<'_>, path: &Path) -> Option<Model> {
     match path.to_str() {
         None if mesh::Format::of(path).is_some() => {
@@ -291,8 +289,8 @@ pub fn unknown_vehicle(written: &str) -> Rule {
 }
 
 /// Loads a mesh with its origin on the ground under its middle; notes a refused one and returns an empty
-/// mesh.
-fn load(target: &Section<'_>, model: &Model) -> Mesh {
+/// mesh. `replacement`: the model named by an option, whose unit no key gives.
+fn load(target: &Section<'_>, model: &Model, replacement: Option<&Path>) -> Mesh {
     let mesh = match model {
         Model::Vehicle { name, seed } => {
             let unknown = || Rule::UnknownModel { found: (*name).to_owned(), own: "vehicles", nearest: None };
@@ -300,7 +298,9 @@ fn load(target: &Section<'_>, model: &Model) -> Mesh {
         }
         Model::Street(piece) => Ok(street::mesh(piece)),
         Model::File { path, unit_scale } => {
-            read_mesh(path, &MeshOptions { unit_scale: *unit_scale }).map_err(Rule::Mesh)
+            let read = read_mesh(path, &MeshOptions { unit_scale: *unit_scale });
+            let is_replacement = replacement == Some(path);
+            read.map_err(|error| Rule::Mesh(if is_replacement { error.of_replacement() } else { error }))
         }
     };
     let mesh = mesh.map_err(|rule| target.note(MODEL.name, rule));

@@ -5,8 +5,9 @@ use std::path::PathBuf;
 /// Changes that one run makes to a scene.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ReadOptions {
-    /// Replaces the model of every mesh target: a file or the name of one of the project's vehicles. Unlike
-    /// paths in a scene, this one is relative to the working directory.
+    /// Replaces the model of every mesh target, with its scale and seed: a file in metres or the name of one
+    /// of the project's vehicles. Unlike paths in a scene, this one is relative to the working directory.
+    /// Clutter and recorded traffic keep their models.
     pub model: Option<PathBuf>,
     /// Id of the radar with which the scene is read; `None` if it has only one.
     pub radar: Option<String>,

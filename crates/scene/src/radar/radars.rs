@@ -4,7 +4,7 @@
 use crate::document::diagnostics::Diagnostics;
 use crate::document::errors::{Rule, SceneErrors};
 use crate::document::ids::read_ids;
-use crate::document::keys::radar::{ID, RADARS};
+use crate::document::keys::radar::{ID, RADAR, RADARS};
 use crate::document::keys::scene::{NAME, RADAR_KEY, RADARS_KEY};
 use crate::document::section::Section;
 use crate::document::text::{read_text, without_position};
@@ -30,8 +30,9 @@ pub(crate) fn select_radar<'a, 'd>(document: &'a DeTable<'d>, id: Option<&str>) 
     let Some((value, entry)) = entries(document).find(|(_, entry)| id.is_some() && id_of(entry) == id) else {
         return Cow::Borrowed(document);
     };
-    let mut own = entry.clone();
-    own.remove(ID.name);
+    // Keys that no radar has are noted of the entry itself.
+    let of_radar = entry.iter().filter(|(key, _)| RADAR.has(key.get_ref()));
+    let own: DeTable<'d> = of_radar.map(|(key, value)| (key.clone(), value.clone())).collect();
     let mut merged = document.clone();
     let none_yet = || Spanned::new(value.span(), DeValue::Table(DeTable::new()));
     let radar = merged.entry(Spanned::new(value.span(), RADAR_KEY.name.into())).or_insert_with(none_yet);

@@ -84,7 +84,7 @@ impl RecordedVelocity {
 
 /// Fault of a recording, and its place.
 #[derive(Debug, thiserror::Error)]
-#[error("{}:{place}: {rule}", file.display())]
+#[error("{}{place}: {rule}", file.display())]
 pub struct FcdError {
     /// File of the recording.
     pub file: PathBuf,
@@ -97,17 +97,21 @@ pub struct FcdError {
 /// Place in a recording.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RecordingPlace {
+    /// The file as a whole.
+    File,
     /// Line of the unpacked text, from 1.
     Line(u64),
     /// Number of a message, from 1.
     Message(u64),
 }
 
+/// Place as it follows the name of the file.
 impl std::fmt::Display for RecordingPlace {
     fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            Self::Line(line) => write!(out, "{line}"),
-            Self::Message(message) => write!(out, " message {message}"),
+            Self::File => Ok(()),
+            Self::Line(line) => write!(out, ":{line}"),
+            Self::Message(message) => write!(out, ": message {message}"),
         }
     }
 }

@@ -62,9 +62,9 @@ fn vehicle(object: TrafficObject, message: u64) -> FcdVehicle {
 }
 
 fn broken(error: TraceError) -> FcdError {
-    let rule = match error.rule {
-        TraceRule::Unreadable(cause) => FcdRule::Unreadable(cause),
-        other => FcdRule::Trace(other.to_string()),
+    let (place, rule) = match error.rule {
+        TraceRule::Unreadable(cause) => (RecordingPlace::File, FcdRule::Unreadable(cause)),
+        other => (RecordingPlace::Message(error.message), FcdRule::Trace(other.to_string())),
     };
-    FcdError { file: error.file, place: RecordingPlace::Message(error.message), rule: Box::new(rule) }
+    FcdError { file: error.file, place, rule: Box::new(rule) }
 }

@@ -2,6 +2,7 @@
 //! build one with it.
 
 use crate::recording::fcd::{FcdError, FcdRule, FcdStep, RecordingPlace};
+use artifact::bounded;
 use std::path::Path;
 
 /// A reader; this program has none.
@@ -9,8 +10,8 @@ pub(crate) enum TraceReader {}
 
 impl TraceReader {
     pub(crate) fn open(file: &Path) -> Result<Self, FcdError> {
-        let (place, rule) = (RecordingPlace::Message(1), Box::new(FcdRule::WithoutInterchange));
-        Err(FcdError { file: file.to_owned(), place, rule })
+        let rule = bounded::open(file).map_or_else(FcdRule::Unreadable, |_| FcdRule::WithoutInterchange);
+        Err(FcdError { file: file.to_owned(), place: RecordingPlace::File, rule: Box::new(rule) })
     }
 
     pub(crate) fn next_step(&mut self) -> Result<Option<FcdStep>, FcdError> {
@@ -34,4 +35,23 @@ pub(crate) fn type_names() -> impl Iterator<Item = &'static str> {
 /// Accepts any name unchanged, because no trace is read.
 pub(crate) fn canonical_type_name(name: &str) -> Option<String> {
     Some(name.to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_trace_that_is_not_there_is_the_systems_fault_and_one_that_is_there_the_programs() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("a.osi");
+        let told = |words: &str| format!("{}: {words}", file.display());
+        let absent = TraceReader::open(&file).err().unwrap();
+        assert!(absent.is_system(), "{absent}");
+        assert!(absent.to_string().starts_with(&told("cannot be read: ")), "{absent}");
+        std::fs::write(&file, "").unwrap();
+        let unread = TraceReader::open(&file).err().unwrap();
+        assert!(!unread.is_system(), "{unread}");
+        assert!(unread.to_string().starts_with(&told("this program was built without")), "{unread}");
+    }
 }

@@ -24,7 +24,9 @@ pub(crate) fn draw(study: &Study, answer: &Answer, layout: Layout) -> Svg {
     let notes = [note].into_iter().chain(answer.is_by_pairs().then_some(gaps));
     let top = draw_title(&mut sheet, &title, &notes.map(str::to_owned).collect::<Vec<_>>());
     let axes = axes(answer, layout, top);
-    axes.draw_with_ticks(&mut sheet, [cost, metric], [&costs(answer, &axes), &numbers(&axes)]);
+    let numbers = axes.y.numbered();
+    let axes = axes.with_room_beside(&numbers);
+    axes.draw_with_ticks(&mut sheet, [cost, metric], [&costs(answer, &axes), &numbers]);
     let legend = marks(&mut sheet, answer, &axes);
     let [left, right] = layout.sides_px();
     legend.draw(&mut sheet, top + HEIGHT_PX + 68.0, [left - 44.0, right]);
@@ -75,18 +77,22 @@ fn costs(answer: &Answer, axes: &Axes) -> Vec<Tick> {
     let mut values: Vec<f64> = answer.results.iter().filter_map(|result| result.cost).collect();
     values.sort_by(f64::total_cmp);
     let scale = scale(answer);
+    let step = step_of(&values);
     let mut ticks: Vec<Tick> = vec![];
     for cost in values {
         let at = scale(cost);
         if ticks.last().is_none_or(|(last, _)| axes.x.to_px(at) - axes.x.to_px(*last) >= 34.0) {
-            ticks.push((at, tick_text(cost)));
+            ticks.push((at, tick_text(cost, step)));
         }
     }
     ticks
 }
 
-fn numbers(axes: &Axes) -> Vec<Tick> {
-    axes.y.ticks().into_iter().map(|value| (value, tick_text(value))).collect()
+/// Step that costs are told to: thousandths, or hundredths of the least where that is less.
+fn step_of(costs: &[f64]) -> f64 {
+    const THOUSANDTH: f64 = 0.001;
+    let least = costs.iter().map(|cost| cost.abs()).filter(|cost| *cost > 0.0).fold(f64::INFINITY, f64::min);
+    if least < THOUSANDTH { 0.01 * least } else { THOUSANDTH }
 }
 
 fn marks(sheet: &mut Svg, answer: &Answer, axes: &Axes) -> Legend {

@@ -220,7 +220,7 @@ fn number(value: Option<f64>) -> String {
 
 /// A number to three decimals; one that would round to 0 to two significant digits.
 fn figure(value: f64) -> String {
-    match tick_text(value) {
+    match tick_text(value, 0.001) {
         text if text == "0" && value != 0.0 => format!("{value:.1e}").replace('-', "−"),
         text => text,
     }

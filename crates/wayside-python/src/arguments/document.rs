@@ -3,6 +3,7 @@
 use crate::failure;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 use wayside::Failure;
@@ -57,11 +58,12 @@ impl Document {
     }
 }
 
-/// An accuracy within what the command line takes.
-pub(crate) fn accuracy_db(db: f64) -> PyResult<f64> {
-    match (-200.0..0.0).contains(&db) {
+/// An accuracy within what the command line takes, which begins at `allowed` and ends below 0 dB.
+pub(crate) fn accuracy_db(db: f64, allowed: &RangeInclusive<f64>) -> PyResult<f64> {
+    let least = allowed.start();
+    match (*least..0.0).contains(&db) {
         true => Ok(db),
-        false => Err(failure::argument_error("accuracy_db", format!("from −200 to below 0, is {db}"))),
+        false => Err(failure::argument_error("accuracy_db", format!("from {least} to below 0, is {db}"))),
     }
 }
 

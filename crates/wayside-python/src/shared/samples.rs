@@ -1,6 +1,7 @@
 //! Samples of the frames of a cube, which Python holds and the library reads.
 
 use crate::arrays;
+use crate::failure;
 use crate::shared::values::Values;
 use artifact::cube::{Cube as Schema, CubeFrame, CubeHeader};
 use artifact::{ErrorBudget, Provenance};
@@ -8,7 +9,7 @@ use ndarray::Ix4;
 use num_complex::Complex32;
 use numpy::PyArray4;
 use pyo3::prelude::*;
-use wayside::stepwise::CompleteArtifact;
+use wayside::stepwise::{CompleteArtifact, sound};
 
 /// Samples of a cube with all that its artifact says.
 pub(crate) struct Samples {
@@ -42,17 +43,18 @@ impl Samples {
         Ok(Self::in_array(CompleteArtifact { from, header, frames }, &array))
     }
 
-    /// Frames as the library takes them.
+    /// Frames as the library takes them; Python may have written samples that no cube has.
     pub(crate) fn frames(&self, py: Python<'_>) -> PyResult<Vec<CubeFrame>> {
         let array = self.array.read(py)?;
         let length = self.header.shape().iter().product::<usize>().max(1);
-        let frame = |(about, samples): (&FrameInfo, &[Complex32])| CubeFrame {
-            index: about.index,
-            time_s: about.time_s,
-            samples: samples.to_vec(),
-            error: about.error,
+        let of_frames = self.frames.iter().zip(array.as_slice()?.chunks(length)).enumerate();
+        let frame = |(number, (about, samples)): (usize, (&FrameInfo, &[Complex32]))| {
+            sound(number, samples, &self.header)
+                .map_err(|failure| failure::exception_of(py, &failure, &[]))?;
+            let (samples, error) = (samples.to_vec(), about.error);
+            Ok(CubeFrame { index: about.index, time_s: about.time_s, samples, error })
         };
-        Ok(self.frames.iter().zip(array.as_slice()?.chunks(length)).map(frame).collect())
+        of_frames.map(frame).collect()
     }
 
     /// Samples that lie in an array of Python already.

@@ -11,7 +11,7 @@ use crate::program::terminal::{self, ResultKind};
 use crate::program::values::{Axis, Shard, WorldPosition};
 use crate::program::values::{
     accuracy_db, azimuth_deg, azimuths, bounces, density, elevation_deg, elevations, frequencies, place,
-    range,
+    range, scene_accuracy_db,
 };
 use crate::program::values::{full_scale, scale, shard, step, vehicle_name};
 use crate::stepwise::DENSITY_PER_WAVELENGTH;
@@ -149,7 +149,7 @@ pub(crate) struct SceneArguments {
     #[arg(long, value_parser = whole(SEEDS, 7))]
     pub(crate) seed: Option<u64>,
     /// Replace the scene's accuracy, dB, and choose by it all physics that the scene leaves open.
-    #[arg(long, value_name = "DB", value_parser = accuracy_db)]
+    #[arg(long, value_name = "DB", value_parser = scene_accuracy_db)]
     pub(crate) accuracy_db: Option<f64>,
 }
 
@@ -158,9 +158,9 @@ pub(crate) struct CacheArguments {
     /// Cache folder [default: .cache in the project's folder; outside the project, the user's cache folder].
     #[arg(long, value_name = "DIR")]
     pub(crate) cache: Option<PathBuf>,
-    /// Maximum size of the cache, MiB; the oldest frames are removed first.
-    #[arg(long, value_name = "MIB", default_value_t = 8192, value_parser = whole(0..=1_u64 << 40, 8192))]
-    pub(crate) cache_limit_mib: u64,
+    /// Maximum size of the cache, MiB; the oldest frames are removed first [default: 8192].
+    #[arg(long, value_name = "MIB", value_parser = whole(0..=1_u64 << 40, 8192))]
+    pub(crate) cache_limit_mib: Option<u64>,
 }
 
 impl SceneArguments {
@@ -174,7 +174,9 @@ impl SceneArguments {
 impl CacheArguments {
     /// The cache in the chain's type: folder and limit, MiB.
     pub(crate) fn location(&self) -> CacheLocation {
-        CacheLocation { folder: self.cache.clone(), limit_mib: self.cache_limit_mib }
+        let default = CacheLocation::default();
+        let limit_mib = self.cache_limit_mib.unwrap_or(default.limit_mib);
+        CacheLocation { folder: self.cache.clone(), limit_mib }
     }
 }
 

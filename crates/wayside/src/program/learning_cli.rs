@@ -80,7 +80,7 @@ pub struct TrainArguments {
     #[arg(long, default_value_t = 1, value_parser = whole(SEEDS, 7))]
     pub(crate) seed: u64,
     /// Steps of the network's optimizer [default: 1440, the paper's number].
-    #[arg(long, value_name = "N", value_parser = whole(0..=u32::MAX, 1440))]
+    #[arg(long, value_name = "N", value_parser = whole(1..=u32::MAX, 1440))]
     pub(crate) iterations: Option<u32>,
     /// Text file with one line for each vehicle source whose licence requires attribution with the model.
     #[arg(long, value_name = "FILE")]
@@ -137,4 +137,27 @@ pub struct ClassifyArguments {
     /// Range-Doppler maps or datasets.
     #[arg(value_name = "FILE", required = true)]
     pub(crate) files: Vec<PathBuf>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::Parser;
+
+    #[derive(Debug, Parser)]
+    struct One {
+        #[command(subcommand)]
+        command: LearningCommand,
+    }
+
+    #[test]
+    fn a_training_takes_at_least_one_step() {
+        for command in ["train d --out m", "protocols d"] {
+            let words = |steps: &str| format!("wayside {command} --learner paper --iterations {steps}");
+            let parsed = |steps: &str| One::try_parse_from(words(steps).split_whitespace());
+            assert!(parsed("1").is_ok(), "{command}");
+            let refused = parsed("0").unwrap_err().to_string();
+            assert!(refused.contains("it must be from 1 to 4294967295, is 0"), "{command}: {refused}");
+        }
+    }
 }

@@ -64,9 +64,9 @@ pub(crate) enum AxesWord {
 pub(crate) enum FormatWord {
     /// A NumPy array with its axes in a .json beside it; of a dataset its crops.
     Npy,
-    /// Maps as floats, one layer per frame.
+    /// Maps as floats, a file per frame: of several frames F-0000.exr, F-0001.exr and so on.
     Exr,
-    /// Maps or crops as pictures.
+    /// Maps as pictures, numbered likewise, or crops, a picture per sample in a folder.
     Png,
     /// A table with one row per path, point, track or sample.
     Csv,

@@ -2,8 +2,10 @@
 
 use crate::program::numbers::{Numbers, whole, with_example};
 use crate::stepwise::bounds::{
-    AZIMUTHS_DEG, BOUNCES, ELEVATIONS_DEG, FREQUENCIES_GHZ, RANGES_M, UNIT_SCALES, or_infinite,
+    ACCURACIES_DB, AZIMUTHS_DEG, BOUNCES, ELEVATIONS_DEG, FREQUENCIES_GHZ, RANGES_M, SCENE_ACCURACIES_DB,
+    UNIT_SCALES, or_infinite,
 };
+use std::ops::RangeInclusive;
 
 /// Values of an axis with the text that specified them.
 #[derive(Debug, Clone, PartialEq)]
@@ -79,9 +81,18 @@ pub(crate) fn range(text: &str) -> Result<f64, String> {
     }
 }
 
-/// Reads an accuracy below 0 dB, at which the error equals the result; f64 ends some way beyond −200 dB.
+/// Reads the accuracy of a table of S.
 pub(crate) fn accuracy_db(text: &str) -> Result<f64, String> {
-    let errors = Numbers { allowed: -200.0..=0.0, example: "-20" };
+    accuracy_from(ACCURACIES_DB, text)
+}
+
+/// Reads the accuracy of a scene, as its key `accuracy_db` takes it.
+pub(crate) fn scene_accuracy_db(text: &str) -> Result<f64, String> {
+    accuracy_from(SCENE_ACCURACIES_DB, text)
+}
+
+fn accuracy_from(allowed: RangeInclusive<f64>, text: &str) -> Result<f64, String> {
+    let errors = Numbers { allowed, example: "-20" };
     match errors.value(text)? {
         0.0 => Err(errors.with_example("an error must be below 0 dB")),
         error_db => Ok(error_db),

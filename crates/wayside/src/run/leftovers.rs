@@ -1,4 +1,5 @@
-//! Results of earlier runs in the folder of a run: they stay, as all of the user's files, and are noted.
+//! Results of earlier commands in the folder of a command: they stay, as all of the user's files, and are
+//! noted.
 
 use crate::run::products::scattering_name;
 use artifact::settings::EchoMode;
@@ -8,18 +9,33 @@ use std::path::Path;
 /// Notes files in `out` with a run's names that are left of an earlier run: scattering of another kind than
 /// in `artifacts`, and pictures whose kind and number do not belong to this run.
 pub(super) fn remark(out: &Path, artifacts: &[&str], is_own: impl Fn(&str, u32) -> bool) {
-    if let Some(said) = said(out, artifacts, is_own) {
+    note(out, left_of_run(out, artifacts, is_own));
+}
+
+/// Notes pictures in `out` with a run's names whose kind and number do not belong to this command.
+pub(crate) fn remark_on_pictures(out: &Path, is_own: impl Fn(&str, u32) -> bool) {
+    note(out, other_pictures(out, is_own).collect());
+}
+
+/// Notes results that an earlier command left, by their names in `out`.
+pub(crate) fn note(out: &Path, left: Vec<String>) {
+    if let Some(said) = said(out, left) {
         progress::note(said);
     }
 }
 
-fn said(out: &Path, artifacts: &[&str], is_own: impl Fn(&str, u32) -> bool) -> Option<String> {
+fn left_of_run(out: &Path, artifacts: &[&str], is_own: impl Fn(&str, u32) -> bool) -> Vec<String> {
     let kinds = [EchoMode::Paths, EchoMode::RcsTable].map(scattering_name);
     let others = kinds.into_iter().filter(|name| !artifacts.contains(name) && out.join(name).is_file());
-    let beyond = names_of_pictures(out)
-        .filter(|name| frame_of(name).is_some_and(|(kind, number)| !is_own(kind, number)));
-    let mut left: Vec<String> =
-        others.map(str::to_owned).chain(beyond.map(|name| format!("pictures/{name}"))).collect();
+    others.map(str::to_owned).chain(other_pictures(out, is_own)).collect()
+}
+
+fn other_pictures(out: &Path, is_own: impl Fn(&str, u32) -> bool) -> impl Iterator<Item = String> {
+    let is_other = move |name: &String| frame_of(name).is_some_and(|(kind, number)| !is_own(kind, number));
+    names_of_pictures(out).filter(is_other).map(|name| format!("pictures/{name}"))
+}
+
+fn said(out: &Path, mut left: Vec<String>) -> Option<String> {
     left.sort();
     let (first, last) = (left.first()?, left.last()?);
     let named = if first == last { first.clone() } else { format!("{first} to {last}") };
@@ -65,7 +81,7 @@ mod tests {
         std::fs::create_dir(out.path().join("pictures")).unwrap();
         let own = ["frames.paths", "pictures/rdm-0000.png", "pictures/rdm-0001.png", "pictures/mine.png"];
         own.iter().for_each(|name| std::fs::write(out.path().join(name), "").unwrap());
-        let told = || said(out.path(), &["frames.paths"], |_, number| number < 2);
+        let told = || said(out.path(), left_of_run(out.path(), &["frames.paths"], |_, number| number < 2));
         assert_eq!(told(), None);
         for name in ["frames.rcs", "pictures/rdm-0002.png", "pictures/points-0003.png"] {
             std::fs::write(out.path().join(name), "").unwrap();

@@ -169,12 +169,9 @@ fn whole(settings: &Settings) -> Result<Outcome, Failure> {
     let above = outs.first().filter(|_| is_of_all).map(|out| several_radars::above(out));
     apart(cache.as_ref(), outs.iter().map(PathBuf::as_path).chain(above))?;
     let _writing = (!settings.dry_run).then(|| begin(&planned, &outs, above)).transpose()?;
-    if let (Some(run), Some(planned)) = (runs.first(), planned.first()) {
-        remark(&run.scene, &planned.loaded.header);
-        if model.is_some() && settings.classifier.is_none() {
-            remarks::untrained_radar::remark(&planned.loaded.header).into_iter().for_each(progress::note);
-        }
-    }
+    let shipped = model.as_ref().filter(|_| settings.classifier.is_none());
+    remarks_of_all(&runs, &planned, shipped).into_iter().for_each(progress::note);
+    let mut in_common = above.map(|out| EarlierResults::in_common(out, common_frames(&planned)));
     let (mut of_radars, mut expected) = (vec![], vec![]);
     let work = (runs.len() > 1).then(|| Work::begin("radars"));
     for (number, ((run, planned), out)) in runs.iter().zip(&planned).zip(&outs).enumerate() {
@@ -184,7 +181,8 @@ fn whole(settings: &Settings) -> Result<Outcome, Failure> {
         }
         let forget =
             |_: &Failure| above.iter().for_each(|out| EarlierResults::in_common(out, 1).forget_if_none());
-        match one_radar(settings, planned, cache.as_ref(), model.as_ref(), out).inspect_err(forget)? {
+        let folder = Folder { out, in_common: &mut in_common };
+        match one_radar(settings, planned, cache.as_ref(), model.as_ref(), folder).inspect_err(forget)? {
             RadarResult::Ran(outcome) => of_radars.push(*outcome),
             RadarResult::Expected(total) => expected.push(total),
         }
@@ -193,16 +191,34 @@ fn whole(settings: &Settings) -> Result<Outcome, Failure> {
         (settings.tell)("all radars");
         (settings.tell)(&total.line());
     }
+    if let ([alone], Some(id)) = (&of_radars[..], &settings.scene.radar) {
+        several_radars::remark_earlier(&alone.out, id);
+    }
     let conclude = || several_radars::conclude(&of_radars, &settings.origin, settings.tell);
     let of_all = (is_of_all && !of_radars.is_empty()).then(conclude).transpose()?;
     Ok(Outcome { of_radars, of_all })
 }
 
+/// Notes about the scenes of all radars, each said once; those of the shipped model where it answers.
+fn remarks_of_all(runs: &[Run], planned: &[PlannedScene], shipped: Option<&LoadedModel>) -> Vec<String> {
+    let mut all: Vec<String> = vec![];
+    for (run, planned) in runs.iter().zip(planned) {
+        let header = &planned.loaded.header;
+        let untrained = shipped.and_then(|_| remarks::untrained_radar::remark(header));
+        for remark in remarks_of(&run.scene, header).into_iter().chain(untrained) {
+            if !all.contains(&remark) {
+                all.push(remark);
+            }
+        }
+    }
+    all
+}
+
 /// Notes about the meshes and materials of a scene.
-fn remark(source: &SceneSource, header: &SceneHeader) {
+fn remarks_of(source: &SceneSource, header: &SceneHeader) -> Vec<String> {
     let map = scene::material_map(&source.file, source.radar.as_deref());
     let unknown = map.map(|map| remarks::without_entry(header.meshes.iter(), &map)).unwrap_or_default();
-    remarks::of_scene(header).into_iter().chain(unknown).for_each(progress::note);
+    remarks::of_scene(header).into_iter().chain(unknown).collect()
 }
 
 /// Refuses a cache that is one of these folders or one of their folders of pictures.
@@ -225,7 +241,7 @@ fn begin(
         let told = ["summary.json", "report.html"].map(|name| out.join(name));
         products::places(&planned.loaded.header, out).into_iter().chain(told)
     };
-    let frames = planned.iter().map(|planned| planned.loaded.header.frames).min().unwrap_or(0);
+    let frames = common_frames(planned);
     let in_common = above.into_iter().flat_map(|out| several_radars::places(out, frames as usize));
     let places: Vec<PathBuf> = planned.iter().zip(outs).flat_map(of_radar).chain(in_common).collect();
     files::claim(&places)?;
@@ -234,8 +250,12 @@ fn begin(
         |(planned, out): (&PlannedScene, &PathBuf)| EarlierResults::of_radar(&planned.loaded.header, out);
     planned.iter().zip(outs).map(of_radar).try_for_each(|results| results.refuse_foreign())?;
     in_common.iter().try_for_each(EarlierResults::refuse_foreign)?;
-    in_common.map_or(Ok(()), |results| results.remove_outdated())?;
     Ok(writing)
+}
+
+/// Most frames that all radars have in common.
+fn common_frames(planned: &[PlannedScene]) -> u32 {
+    planned.iter().map(|planned| planned.loaded.header.frames).min().unwrap_or(0)
 }
 
 /// Run of the scene with one radar, with its folder.
@@ -270,6 +290,13 @@ fn runs(settings: &Settings) -> Result<Vec<Run>, Failure> {
     Ok(radars.into_iter().map(run).collect())
 }
 
+/// Folder of a radar's results, with what its first new result makes outdated.
+struct Folder<'a> {
+    out: &'a Path,
+    /// Earlier results of all radars, until one of them has a new one.
+    in_common: &'a mut Option<EarlierResults>,
+}
+
 /// Result of one radar.
 enum RadarResult {
     /// A finished run.
@@ -284,9 +311,9 @@ fn one_radar(
     planned: &PlannedScene,
     cache: Option<&Cache>,
     model: Option<&LoadedModel>,
-    out: &Path,
+    folder: Folder<'_>,
 ) -> Result<RadarResult, Failure> {
-    let loaded = &planned.loaded;
+    let (loaded, out) = (&planned.loaded, folder.out);
     let chain = Chain::of(&loaded.header, cache, model, settings.memory);
     let plans = chain.plans();
     if let Some(plan) = planned.plan.as_ref().filter(|_| settings.explain || settings.dry_run) {
@@ -305,7 +332,7 @@ fn one_radar(
     }
     let (start, begin) = (Instant::now(), processor_time::of_process());
     let forget = |_: &Failure| EarlierResults::of_radar(&loaded.header, out).forget_if_none();
-    let (computed, figures) = compute(&chain, planned, &plans, settings, out).inspect_err(forget)?;
+    let (computed, figures) = compute(&chain, planned, &plans, settings, folder).inspect_err(forget)?;
     let processor = processor_time::of_process().zip(begin).map(|(end, begin)| end - begin);
     let timings = RunTimings { seconds: start.elapsed().as_secs_f64(), processor };
     if let Some(cache) = cache {
@@ -340,12 +367,12 @@ fn compute(
     planned: &PlannedScene,
     plans: &[FramePlan],
     settings: &Settings,
-    out: &Path,
+    Folder { out, in_common }: Folder<'_>,
 ) -> Result<(Computed, Figures), Failure> {
     let mut products = Products::create(chain, out, &planned.loaded.files)?;
     let mut tracking = Tracking::of(chain)?;
     let (mut frames, mut cycle) = (Vec::new(), Vec::new());
-    let mut earlier = Some(EarlierResults::of_radar(chain.header, out));
+    let mut own = Some(EarlierResults::of_radar(chain.header, out));
     let frame_of = |plan: &FramePlan| {
         progress::note(format!("frame {} of {}", plan.index + 1, plans.len()));
         chain.frame(plan)
@@ -361,7 +388,8 @@ fn compute(
             let (plan, told) = (planned.plan.as_ref(), (&frame.result, &truth));
             frames.push(FrameSummary::of_planned(&frame.view, plan, told, told_of_tracks));
             progress::during("artifacts and pictures", || {
-                earlier.take().map_or(Ok(()), |earlier| earlier.remove_outdated())?;
+                let mut outdated = in_common.take().into_iter().chain(own.take());
+                outdated.try_for_each(|results| results.remove_outdated())?;
                 products.write(chain, frame, &truth, &tracks)
             })
         })

@@ -6,7 +6,8 @@ use crate::run::leftovers;
 use crate::run::radar_outcome::RadarOutcome;
 use pipeline::host::failure::Failure;
 use pipeline::host::files;
-use pipeline::outcome::summary::{RadarsSummary, common_times_s};
+use pipeline::host::progress;
+use pipeline::outcome::summary::{RadarsSummary, Summary, common_times_s};
 use plotting::layout::Figure;
 use reporting::console_lines;
 use reporting::pictures;
@@ -62,9 +63,39 @@ pub(crate) fn conclude(
     report::write_several(&summary, &by_id, &views, origin, out)?;
     EarlierResults::in_common(out, views.len() as u32).are_whole()?;
     leftovers::remark(out, &[], |kind, number| kind == "scene" && (number as usize) < views.len());
+    leftovers::note(out, other_radars(out, &summary));
     console_lines::lines_of_radars(&summary).iter().for_each(|line| tell(line));
     tell(&format!("report of all radars: {}", out.join("report.html").display()));
     Ok(summary)
+}
+
+/// Folders of radars that an earlier run had and this one does not have. Their own summaries tell them: the
+/// common one is replaced, and names those of the last run alone.
+fn other_radars(out: &Path, summary: &RadarsSummary) -> Vec<String> {
+    let folders = std::fs::read_dir(out).into_iter().flatten().flatten();
+    let names = folders.filter_map(|folder| folder.file_name().into_string().ok());
+    let is_other = |name: &String| {
+        summary.radars.iter().all(|radar| radar.id != *name) && is_of_radar(&out.join(name), name)
+    };
+    names.filter(is_other).collect()
+}
+
+/// Whether a folder holds the results of one of several radars, which is named as the folder.
+fn is_of_radar(folder: &Path, name: &str) -> bool {
+    let summary = Summary::read(&folder.join("summary.json"));
+    summary.is_ok_and(|summary| summary.scene.rsplit_once('/').is_some_and(|(_, radar)| radar == name))
+}
+
+/// Notes that the common results above those of radar `id`, run alone, are of an earlier run.
+pub(crate) fn remark_earlier(out: &Path, id: &str) {
+    let file = above(out).join("summary.json");
+    let Ok(summary) = RadarsSummary::read(&file) else { return };
+    if out.file_name().is_some_and(|name| name == id) && summary.radars.iter().any(|radar| radar.id == id) {
+        progress::note(format!(
+            "note: {}: describes an earlier run of radar `{id}` with all others, and nothing of this one",
+            file.display()
+        ));
+    }
 }
 
 /// Views from above of the first common frames, as long as every radar has a frame beginning then.

@@ -15,6 +15,11 @@ pub const ELEVATIONS_DEG: RangeInclusive<f64> = -90.0..=90.0;
 pub const RANGES_M: RangeInclusive<f64> = 1e-3..=1e9;
 /// Metres per unit of a mesh file.
 pub const UNIT_SCALES: RangeInclusive<f64> = 1e-9..=1e6;
+/// Accuracies of a table of S in dB, 0 excluded: at 0 dB the error equals the result, and f64 ends some way
+/// beyond −200 dB.
+pub const ACCURACIES_DB: RangeInclusive<f64> = -200.0..=0.0;
+/// Accuracies of a scene in dB, 0 excluded, as its key `accuracy_db` takes them.
+pub const SCENE_ACCURACIES_DB: RangeInclusive<f64> = scene::LEAST_ACCURACY_DB..=0.0;
 /// Highest bounce orders.
 pub const BOUNCES: RangeInclusive<i64> = 1..=5;
 

@@ -58,7 +58,7 @@ fn traced(
 ) -> Result<RcsTable, Failure> {
     check_size(requested.shape())?;
     let request = requested.request();
-    remarks::forward_scattering::remark(&request).into_iter().for_each(progress::note);
+    remarks::forward_scattering::remark(&request, mesh).into_iter().for_each(progress::note);
     let work = Work::begin("aspects");
     let is_cancelled = || cancellation.check().is_err();
     let surroundings = RcsContext {

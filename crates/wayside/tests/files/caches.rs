@@ -57,6 +57,17 @@ fn a_folder_without_the_mark_is_neither_cleared_nor_used() {
     assert!(!place.path("a").exists());
 }
 
+#[test]
+fn a_dry_run_leaves_the_scene_and_the_machine_s_speed_in_the_cache_and_nothing_else() {
+    let place = Workplace::new();
+    place.run("run small.toml --out a --dry-run --quiet");
+    let left = files(&place.path("cache"));
+    let mut kinds: Vec<&str> = left.iter().filter_map(|file| file.extension()?.to_str()).collect();
+    kinds.sort_unstable();
+    assert_eq!(kinds, ["TAG", "scene", "speed"], "{left:?}");
+    assert!(!place.path("a").exists());
+}
+
 /// A folder of the cache's own naming (two digits of a key) that no entry of it lies in.
 fn free_folder(stage: &Path) -> PathBuf {
     (0..=u8::MAX).map(|digits| stage.join(format!("{digits:02x}"))).find(|folder| !folder.exists()).unwrap()

@@ -7,6 +7,7 @@ mod assets;
 mod caches;
 mod crafted_artifacts;
 mod damage;
+mod earlier_results;
 mod full_disk;
 mod heights;
 mod outputs;

@@ -58,6 +58,56 @@ fn samples_that_were_steps_stay_what_they_were_up_to_the_least_integer_of_16_bit
     }
 }
 
+/// Whole numbers would be steps of a converter if nothing told of them.
+#[test]
+fn arrays_and_recordings_of_our_own_come_back_in_the_unit_that_stands_beside_them() {
+    let place = with_parts(&[-3.0, 700.0, 5.0]);
+    let other = SMALL_SCENE.replace("samples = 64", "samples = 64\nslope_mhz_per_us = 6.25");
+    std::fs::write(place.path("other.toml"), other).unwrap();
+    for (words, unit) in [("--full-scale 1024", "dBFS"), ("", "dB of ADC steps")] {
+        place.run(&format!("import x.npy --scene small.toml {words} --out a.cube --quiet"));
+        for (to, out, from) in [
+            ("npy", "y.npy", "y.npy"),
+            ("sigmf", "y", "y.sigmf-meta"),
+            ("uwcr", "set", "set/radar_raw_frame/000000.mat"),
+        ] {
+            place.run(&format!("export a.cube --to {to} --out {out} --quiet"));
+            let output = place.try_run(&format!("import {from} --scene small.toml --out b.cube"));
+            let said = String::from_utf8_lossy(&output.stderr).into_owned();
+            assert!(output.status.success() && !said.contains("whole numbers"), "{from}: {said}");
+            let told = place.run("inspect b.cube");
+            let units = ["dB of ADC steps", "dBFS", "dBW"].into_iter().filter(|unit| told.contains(unit));
+            assert_eq!(units.collect::<Vec<_>>(), [unit], "{from}: {told}");
+            refused(
+                &place,
+                &format!("import {from} --scene other.toml --out z.cube"),
+                "the scene's radar has 6",
+            );
+        }
+        std::fs::remove_dir_all(place.path("set")).unwrap();
+    }
+    place.run("import x.npy --scene small.toml --full-scale 1024 --out a.cube --quiet");
+    place.run("export a.cube --to npy --out y.npy --quiet");
+    refused(
+        &place,
+        "import y.npy --scene small.toml --full-scale 2048 --out z.cube",
+        "y.npy.json has a full scale of 1024 steps",
+    );
+}
+
+#[test]
+fn floats_are_said_to_be_taken_for_steps_where_nobody_tells_their_unit_alone() {
+    let place = with_parts(&[-3.0, 700.0, 5.0]);
+    for (words, is_said) in [("", true), ("--full-scale 1024", false)] {
+        let output = place.try_run(&format!("import x.npy --scene small.toml {words} --out a.cube"));
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(
+            output.status.success() && said.contains("all samples are whole numbers") == is_said,
+            "{said}"
+        );
+    }
+}
+
 fn refused(place: &Workplace, command: &str, told: &str) {
     let output = place.try_run(command);
     let said = String::from_utf8_lossy(&output.stderr).into_owned();

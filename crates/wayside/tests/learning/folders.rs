@@ -78,12 +78,18 @@ fn samples_are_taken_once_however_their_folder_is_named_and_where_it_was_copied_
     std::fs::copy(place.path("a/shard-0003.dataset"), place.path("copy/other.dataset")).unwrap();
     for (words, one) in [
         ("evaluate m a a", "a/shard-0003.dataset"),
+        ("classify m a a", "a/shard-0003.dataset"),
+        ("classify m a copy", "copy/other.dataset"),
+        ("classify m copy/other.dataset a", "copy/other.dataset"),
+        ("classify m a/shard-0003.dataset copy/other.dataset", "copy/other.dataset"),
         ("train a copy/../a --out new", "copy/../a/shard-0003.dataset"),
         ("protocols a --seeds 1 --test copy", "copy/other.dataset"),
     ] {
         refused(&place.try_run(words), &format!("{one}: has the samples of a/shard-0003.dataset"), words);
     }
     assert!(!place.path("new").exists());
+    let some = place.run("classify m a/shard-0001.dataset a/shard-0003.dataset");
+    assert_eq!(some.lines().count(), 2 * 5);
 }
 
 #[test]

@@ -136,7 +136,7 @@ fn a_command_that_sees_one_radar_asks_which() {
     let refused = wayside(folder.path(), &["paths", "scene.toml", "--out", "f.paths"]);
     let told = String::from_utf8_lossy(&refused.stderr).into_owned();
     assert_eq!(refused.status.code(), Some(1), "{told}");
-    assert!(told.contains("several radars") && told.contains("`north`, `east`"), "{told}");
+    assert!(told.contains("several radars") && told.contains("`north`, `east`; choose one"), "{told}");
     let done = wayside(folder.path(), &["paths", "scene.toml", "--radar", "north", "--out", "f.paths"]);
     assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
     let unknown = wayside(folder.path(), &["run", "scene.toml", "--radar", "south", "--no-cache"]);
@@ -168,6 +168,42 @@ fn what_stands_above_the_radars_and_what_each_of_them_leaves_is_claimed_before_a
         assert!(told.contains(taken) && told.contains("it is a folder"), "{taken}: {told}");
         assert_eq!(files_below(&folder.path().join("all")), 0, "{taken}: something was computed before");
     }
+}
+
+#[test]
+fn what_radars_have_in_common_stays_until_there_is_something_new_and_is_then_noted_as_old() {
+    let folder = folder_with(&crossing());
+    run(folder.path(), &["--out", "all"]);
+    let common = folder.path().join("all/summary.json");
+    let before = std::fs::read(&common).unwrap();
+    let refused =
+        wayside(folder.path(), &["run", "scene.toml", "--no-cache", "--out", "all", "--memory-limit", "1"]);
+    let told = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert_eq!(refused.status.code(), Some(1), "{told}");
+    assert!(std::fs::read(&common).unwrap() == before, "a refused run removed {}", common.display());
+    let alone = ["run", "scene.toml", "--radar", "east", "--seed", "8", "--no-cache", "--out", "all/east"];
+    let done = Command::new(crate::common::PROGRAM).args(alone).current_dir(folder.path()).output().unwrap();
+    let told = String::from_utf8_lossy(&done.stderr).into_owned();
+    assert!(done.status.success(), "{told}");
+    assert!(told.contains("all/summary.json: describes an earlier run of radar `east`"), "{told}");
+}
+
+#[test]
+fn folders_of_radars_that_the_scene_no_longer_has_stay_and_are_told() {
+    let folder = folder_with(&crossing());
+    run(folder.path(), &["--out", "all"]);
+    std::fs::create_dir(folder.path().join("all/mine")).unwrap();
+    std::fs::write(folder.path().join("all/mine/summary.json"), "{}").unwrap();
+    std::fs::write(folder.path().join("scene.toml"), crossing().replace("\"east\"", "\"west\"")).unwrap();
+    let again = ["run", "scene.toml", "--no-cache", "--out", "all"];
+    for _ in 0..2 {
+        let mut command = Command::new(crate::common::PROGRAM);
+        let done = command.args(again).current_dir(folder.path()).output().unwrap();
+        let told = String::from_utf8_lossy(&done.stderr).into_owned();
+        assert!(done.status.success(), "{told}");
+        assert!(told.contains("all: east (1 in all) were left by an earlier run"), "{told}");
+    }
+    assert!(folder.path().join("all/east/summary.json").is_file());
 }
 
 /// Number of files in a folder and those below it.

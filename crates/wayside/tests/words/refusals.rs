@@ -223,7 +223,7 @@ fn what_a_reference_method_does_not_have_is_refused_not_ignored() {
     for option in ["--edges on", "--surface smooth"] {
         let output = place
             .try_run(&format!("rcs corner.obj --freq-ghz 77 --az-deg 0 --method po {option} --out s.npy"));
-        refused(&output, 1, &[option, "bart"], option);
+        refused(&output, 2, &["corner.obj: ", option, "bart"], option);
     }
 }
 
@@ -275,7 +275,10 @@ fn a_program_without_messages_of_others_says_how_to_build_one_with_them() {
     let how = "cargo install --path crates/wayside --features interchange";
     let trace = SMALL_SCENE.to_owned() + "\n[traffic]\nosi = \"a.osi\"\n";
     std::fs::write(place.path("trace.toml"), trace).unwrap();
-    refused(&place.try_run("run trace.toml --out a --quiet"), 1, &["a.osi", how], "a trace");
+    let run = "run trace.toml --out a --quiet";
+    refused(&place.try_run(run), 2, &["a.osi: cannot be read"], "no trace");
+    std::fs::write(place.path("a.osi"), "").unwrap();
+    refused(&place.try_run(run), 1, &["a.osi: this program was built without", how], "a trace");
     place.run("echo small.toml --out a.cube --quiet");
     place.run("dsp a.cube --out a --quiet");
     for (file, format, ending) in

@@ -8,6 +8,7 @@
 //! shadow loses at such a plane, its neighbour's gains, bit for bit.
 
 use crate::beams::occlusion::depth_order::{DepthOrder, are_coincident, depth_order};
+use crate::beams::occlusion::material_order::material_order;
 use crate::beams::occlusion::view::{Mirror, View};
 use crate::bodies::world::World;
 use crate::geometry::antenna::Antenna;
@@ -141,12 +142,15 @@ impl Shadow {
     }
 
     /// Whether this one of two coincident facets is lit: the one whose front is seen if only fronts scatter,
-    /// else the larger, and among facets of equal size to rounding the first.
+    /// then the better reflector ([`material_order`]), of one material the larger, and among facets of equal
+    /// size to rounding the first.
     fn is_before(&self, other: &Self, view: &View) -> bool {
         let seen = |shadow: &Self| (view.sides == Sides::One).then_some(shadow.seen);
         let area_m2 = |shadow: &Self| view.world.facet(shadow.facet).area_m2 as f32;
         let larger = || area_m2(other).total_cmp(&area_m2(self));
-        seen(self).cmp(&seen(other)).then_with(larger).then(self.facet.cmp(&other.facet)).is_lt()
+        let reflecting = || material_order(view.world, self.facet, other.facet);
+        let order = seen(self).cmp(&seen(other)).then_with(reflecting).then_with(larger);
+        order.then(self.facet.cmp(&other.facet)).is_lt()
     }
 }
 

@@ -15,8 +15,8 @@ const BOUNCES: u8 = 2;
 /// Minimum mirror size: reflections from one body onto another come from its panels.
 const MIRROR_WAVELENGTHS: f64 = 10.0;
 
-/// Ratio ‖S between bodies‖ over ‖S‖ at the moment and position of the check, with the margin of the
-/// measurement.
+/// Ratio ‖S between bodies‖ over ‖S‖ of the whole echo at the moment and position of the check, with the
+/// margin of the measurement.
 ///
 /// `None` if no such path is left out by [`artifact::settings::BetweenBodies`], or if their beams would
 /// exceed the memory of the frame.

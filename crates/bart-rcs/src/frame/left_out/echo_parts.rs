@@ -6,12 +6,14 @@ use crate::bodies::body_gains::BodyGains;
 use crate::bodies::models::Models;
 use crate::bodies::world::World;
 use crate::frame::band_power::{frequencies_hz, mean, mean_difference, total};
+use crate::frame::cells::point_paths::point_paths;
 use crate::frame::integration_error::of_meeting;
 use crate::frame::left_out::neglected_paths::{
     ACCURACY, ANY_RULE_ORDERS, NeglectedPaths, PathsByRule, orders_by_rule,
 };
 use crate::frame::left_out::road::paths_by_road;
 use crate::frame::path_plan::Plan;
+use crate::frame::path_sum::element_over_band;
 use crate::frame::snapshot::Snapshot;
 use crate::joins::scatterer::{Integration, Scatterer, bracket_of, meets_several_vehicles};
 use crate::run_control::error::BartError;
@@ -26,12 +28,13 @@ use artifact::units::{SPEED_OF_LIGHT_MPS, db_from_amplitude};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
-/// Parts of the echo of one frame, as amplitudes relative to that of all orders without a road: ratios of
-/// root mean squares over the sampled sweep, with the margin of a measurement on so few frequencies.
+/// Parts of the echo of one frame, as amplitudes relative to that of the point targets and of all orders on
+/// bodies without a road: ratios of root mean squares over the sampled sweep, with the margin of a
+/// measurement on so few frequencies.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EchoParts {
-    /// Scattering amplitude of all computed orders, without road, edges and transmission, at frequencies
-    /// spread over the sweep, m; comparable between two scenes with one radar.
+    /// Scattering amplitude of the point targets and of all computed orders, without road, edges and
+    /// transmission, at frequencies spread over the sweep, m; comparable between two scenes with one radar.
     pub amplitude_m: Vec<Complex64>,
     /// Paths within one body, by order from 1.
     pub within: Vec<f64>,
@@ -93,7 +96,9 @@ pub(crate) fn echo_parts(
     let snapshot = Snapshot::of(world, tree);
     let coarse = CoarseEcho::of(snapshot.scatterer(&plan, Phase::Checking), &plan, nodes);
     let through = through_sheets(models, &plan, frame, nodes)?;
-    coarse.parts(through)
+    let points = point_paths(header, frame);
+    let points_m = element_over_band(&points, &plan.check_view(), plan.reception(), &checked_hz(&plan));
+    coarse.parts(through, points_m)
 }
 
 /// Scene with the coarseness and completeness of the computation.
@@ -109,6 +114,10 @@ fn coarse_header(header: &SceneHeader) -> SceneHeader {
     header
 }
 
+fn checked_hz(plan: &Plan<'_>) -> Vec<f64> {
+    frequencies_hz(plan.band.centre_hz, plan.band.bandwidth_hz, FREQUENCIES)
+}
+
 /// Bodies and beams of the computation.
 struct CoarseEcho<'a> {
     scatterer: Scatterer<'a>,
@@ -121,20 +130,24 @@ struct CoarseEcho<'a> {
 
 impl<'a> CoarseEcho<'a> {
     fn of(scatterer: Scatterer<'a>, plan: &'a Plan<'a>, nodes: NodeRule) -> Self {
-        let frequencies_hz = frequencies_hz(plan.band.centre_hz, plan.band.bandwidth_hz, FREQUENCIES);
-        let wavenumbers_per_m = frequencies_hz.iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect();
+        let wavenumbers_per_m = checked_hz(plan).iter().map(|f| TAU * f / SPEED_OF_LIGHT_MPS).collect();
         Self { scatterer: scatterer.with_waves_over_own_faces(), plan, wavenumbers_per_m, nodes }
     }
 
-    fn parts(&self, through: Option<Vec<Complex64>>) -> Result<Option<EchoParts>, BartError> {
+    fn parts(
+        &self,
+        through: Option<Vec<Complex64>>,
+        points_m: Vec<Complex64>,
+    ) -> Result<Option<EchoParts>, BartError> {
         let (within, between): (Vec<_>, Vec<_>) = self.ways(ORDERS).into_iter().map(<(_, _)>::from).unzip();
         let by_order: Vec<Vec<Complex64>> =
             within.iter().zip(&between).map(|(a, b)| total([a, b].into_iter().cloned(), a.len())).collect();
-        let whole = total(by_order.iter().cloned(), FREQUENCIES);
-        let power = mean(&whole);
-        if power == 0.0 {
+        let of_bodies = total(by_order.iter().cloned(), FREQUENCIES);
+        if mean(&of_bodies) == 0.0 {
             return Ok(None);
         }
+        let whole = total([of_bodies, points_m].into_iter(), FREQUENCIES);
+        let power = mean(&whole);
         let (orders, world) = ((ORDERS, self.nodes), self.scatterer.world);
         let by_road = paths_by_road(world, self.plan, orders, &self.wavenumbers_per_m)?;
         let share = |part: &Vec<Complex64>| MARGIN * (mean(part) / power).sqrt();

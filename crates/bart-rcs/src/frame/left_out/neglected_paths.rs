@@ -39,8 +39,8 @@ impl NeglectedPaths {
         }
     }
 
-    /// Ratio ‖S of the joints left out‖ over ‖S‖, facets alone, with the margin of the measurement; higher
-    /// orders are assumed to gain the same share.
+    /// Ratio ‖S of the joints left out‖ over ‖S‖ of the whole echo, facets alone, with the margin of the
+    /// measurement; higher orders are assumed to gain the same share.
     pub(crate) fn relative(
         &self,
         scatterer: &Scatterer<'_>,

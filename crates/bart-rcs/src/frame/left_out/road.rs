@@ -12,8 +12,8 @@ use crate::run_control::error::BartError;
 use artifact::settings::{NodeRule, Sides};
 use num_complex::Complex64;
 
-/// Ratio ‖S via the road‖ over ‖S without‖ for the usual road, at the moment and position of the check, with
-/// the margin of the measurement.
+/// Ratio ‖S via the road‖ over ‖S of the whole echo without‖ for the usual road, at the moment and position
+/// of the check, with the margin of the measurement.
 ///
 /// It covers one and two bounces on bodies by the middle rule, facets alone, to a quarter of each integral;
 /// higher orders are assumed to gain the same share, and computed too if they contain most of the echo

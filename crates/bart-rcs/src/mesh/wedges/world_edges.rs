@@ -2,12 +2,15 @@
 
 use crate::mesh::wedges::body_edges::{BodyEdge, BodyEdges, EdgeSide, Patch, PatchEnd};
 use crate::mesh::wedges::coincident_rims::lines;
+use crate::mesh::wedges::edge_band::EdgeBand;
 use crate::mesh::wedges::face_end::FaceEnds;
 use crate::mesh::wedges::wedge::Wedge;
 use glam::{DMat3, DVec2, DVec3};
 
 /// Edges in world metres, and the facets that end at them.
 pub(crate) struct WorldEdges {
+    /// Band in which they are valid.
+    pub(crate) band: EdgeBand,
     pub(crate) edges: Vec<EdgeGeometry>,
     patches: Vec<Patch>,
     /// Start and end of each facet's list of sides.
@@ -62,8 +65,9 @@ pub(crate) struct BodyPlacement {
 
 impl WorldEdges {
     /// Empty list of edges.
-    pub(crate) fn for_facets(facets: usize) -> Self {
-        Self { edges: Vec::new(), patches: Vec::new(), first_side: vec![0; facets + 1], sides: Vec::new() }
+    pub(crate) fn for_facets(facets: usize, band: EdgeBand) -> Self {
+        let first_side = vec![0; facets + 1];
+        Self { band, edges: Vec::new(), patches: Vec::new(), first_side, sides: Vec::new() }
     }
 
     /// Appends the edges of a body; its facets follow those of the preceding bodies.

@@ -1,8 +1,9 @@
 //! Frames of points and the labels that belong to them: by the names of the files that the frames were read
 //! from, or by their order.
 
-use crate::radar_cloud::import::extension;
+use crate::radar_cloud::import::{extension, frame_order};
 use pipeline::host::failure::Failure;
+use pipeline::host::progress;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -27,7 +28,8 @@ impl FrameNames {
     }
 
     /// The labels of each frame among those that there are, by their names; `None` where there are none.
-    /// Without names of frames the labels' order counts.
+    /// Without names of frames the labels' order counts, and for a single frame with a name that is not a
+    /// number the only labels.
     ///
     /// # Errors
     /// No frame has labels, or their numbers differ where the order counts.
@@ -44,16 +46,34 @@ impl FrameNames {
                     "it has labels of {labelled} frames, the points are {frames} frames that name no files"
                 ));
             }
-            return Ok(there.values().map(Some).collect());
+            let mut there: Vec<_> = there.iter().collect();
+            there.sort_by_key(|(name, _)| frame_order(Path::new(*name)));
+            return Ok(there.into_iter().map(|(_, labels)| Some(labels)).collect());
         };
         let found: Vec<_> = names.iter().map(|name| there.get(name)).collect();
         match names.first() {
             Some(name) if found.iter().all(Option::is_none) => {
+                if let Some((only, labels)) = only_labels(names, there) {
+                    let place = place.display();
+                    progress::note(format!(
+                        "note: {place}: the one frame, `{name}`, has the labels `{only}`"
+                    ));
+                    return Ok(vec![Some(labels)]);
+                }
                 refused(format!("it has labels of none of the frames, the first of which is `{name}`"))
             }
             _ => Ok(found),
         }
     }
+}
+
+/// The only labels of a single frame with another name, as that of a recording; numbers are names that a set
+/// gives its frames, so two of them are two frames.
+fn only_labels<'a, T>(names: &[String], there: &'a BTreeMap<String, T>) -> Option<(&'a String, &'a T)> {
+    let is_number = |name: &str| name.bytes().all(|byte| byte.is_ascii_digit());
+    let (only, labels) = there.iter().next()?;
+    let [name] = names else { return None };
+    (there.len() == 1 && !(is_number(name) && is_number(only))).then_some((only, labels))
 }
 
 /// Name of a file without folder and ending.
@@ -86,5 +106,27 @@ mod tests {
             let refused = matched(names, frames).unwrap_err().to_string();
             assert!(refused.starts_with("label_2: ") && refused.contains(why), "{refused}");
         }
+    }
+
+    #[test]
+    fn the_one_frame_of_a_recording_has_the_only_labels_and_a_frame_of_another_number_has_not() {
+        let of = |file: &str, there: &[&str]| {
+            let there: BTreeMap<String, usize> =
+                there.iter().map(|name| (*name).to_owned()).zip(0..).collect();
+            let names = FrameNames::of(&[(file.to_owned(), String::new())], 1);
+            names.matched(Path::new("label_2"), &there).map(|found| found[0].copied()).ok()
+        };
+        assert_eq!(of("capture.bin", &["00003"]), Some(Some(0)));
+        assert_eq!(of("capture.bin", &["00003", "capture"]), Some(Some(1)));
+        assert_eq!(of("capture.bin", &["00003", "00004"]), None);
+        assert_eq!(of("00002.bin", &["00003"]), None);
+    }
+
+    #[test]
+    fn labels_by_order_are_in_the_order_of_their_numbers() {
+        let there: BTreeMap<String, u32> =
+            [99_999, 100_000].into_iter().map(|number| (number.to_string(), number)).collect();
+        let found = FrameNames::of(&[], 2).matched(Path::new("label_2"), &there).unwrap();
+        assert_eq!(found, [Some(&99_999), Some(&100_000)]);
     }
 }

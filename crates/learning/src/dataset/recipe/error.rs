@@ -43,6 +43,13 @@ pub(super) enum RecipeError {
     #[error("`frame_interval_s` must be {cycle_s} or more (a frame of {scene}), is {found_s}")]
     FrameInterval { scene: String, cycle_s: f64, found_s: f64 },
 
+    /// Several frames at the interval of a base scene whose single frame may last longer than it.
+    #[error(
+        "`frames` follow each other every {found_s} s, the frame_interval_s of {scene}, whose frame lasts \
+         {cycle_s}: name a `frame_interval_s` of {cycle_s} or more"
+    )]
+    FramesOverlap { scene: String, cycle_s: f64, found_s: f64 },
+
     /// A manifest's vehicle whose name leads out of the manifest's folder.
     #[error("`name` must be that of a .glb in this folder, without the ending, is `{name}`")]
     NameOfNoFile { name: String },

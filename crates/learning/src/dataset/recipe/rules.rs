@@ -47,10 +47,23 @@ pub(super) fn check_before(root: &Section<'_>, document: &Document, Base { name,
     if header.fidelity.echo == EchoMode::RcsTable && document.statistical_share > 0.0 {
         root.note(keys::STATISTICAL_SHARE.name, RecipeError::PartsOfTables { scene: name.clone() }.into());
     }
-    let cycle_s = header.radar.cycle_duration_s();
-    if let Some(found_s) = document.frame_interval_s.filter(|interval_s| *interval_s < cycle_s) {
-        let broken = RecipeError::FrameInterval { scene: name.clone(), cycle_s, found_s };
-        root.note(keys::FRAME_INTERVAL.name, broken.into());
+    check_interval(root, document, name, header);
+}
+
+/// Notes frames that begin before the radar has ended the one before. The interval of the base scene matters
+/// only where a scene has more frames than a cycle has sub-frames.
+fn check_interval(root: &Section<'_>, document: &Document, name: &str, header: &SceneHeader) {
+    let (scene, cycle_s) = (name.to_owned(), header.radar.cycle_duration_s());
+    match document.frame_interval_s {
+        Some(found_s) if found_s < cycle_s => {
+            let broken = RecipeError::FrameInterval { scene, cycle_s, found_s };
+            root.note(keys::FRAME_INTERVAL.name, broken.into());
+        }
+        None if document.frames > header.radar.schedule.sub_frames() && header.frame_interval_s < cycle_s => {
+            let found_s = header.frame_interval_s;
+            root.note(keys::FRAMES.name, RecipeError::FramesOverlap { scene, cycle_s, found_s }.into());
+        }
+        _ => {}
     }
 }
 

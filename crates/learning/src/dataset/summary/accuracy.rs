@@ -18,12 +18,16 @@ pub(super) struct ReachedAccuracy {
 }
 
 impl ReachedAccuracy {
-    /// Adds a scene's line.
-    pub(super) fn add(&mut self, scene: &SceneLine) {
+    /// Adds a scene's line. The errors of its first frames, as many as the radar's cycle has `sub_frames`,
+    /// were measured each by itself; the worst of them counts.
+    pub(super) fn add(&mut self, scene: &SceneLine, sub_frames: usize) {
         self.scenes += 1;
-        let told = scene.frames.first().map(|frame| &frame.accuracy);
-        let told = told.filter(|_| scene.measured_in == scene.scene);
-        let Some((told, met)) = told.and_then(|told| Some((told, told.met?))) else { return };
+        let is_measured = scene.measured_in == scene.scene;
+        let measured = scene.frames.iter().take(sub_frames).filter(|_| is_measured);
+        let verdicts = measured.filter_map(|frame| Some((&frame.accuracy, frame.accuracy.met?)));
+        let worst = verdicts
+            .max_by(|(a, a_met), (b, b_met)| b_met.cmp(a_met).then(reached_db(a).total_cmp(&reached_db(b))));
+        let Some((told, met)) = worst else { return };
         self.measured += 1;
         self.met += usize::from(met);
         if self.worst.as_ref().is_none_or(|worst| reached_db(worst) <= reached_db(told)) {
@@ -81,7 +85,7 @@ mod tests {
             ..asked
         };
         let mut reached = ReachedAccuracy::default();
-        [scene(0, 0, &met), scene(1, 1, &missed), scene(2, 0, &met)].iter().for_each(|s| reached.add(s));
+        [scene(0, 0, &met), scene(1, 1, &missed), scene(2, 0, &met)].iter().for_each(|s| reached.add(s, 1));
         let told = reached.lines();
         assert_eq!(
             told[0],
@@ -89,5 +93,28 @@ mod tests {
              worst −12.5 dB"
         );
         assert_eq!(told[1], "1 of these: Limited by freezing.");
+    }
+
+    #[test]
+    fn of_sub_frames_the_worst_of_those_that_were_measured_counts() {
+        let frame = |reached_db: f64| FrameLine {
+            accuracy: AccuracyVerdict {
+                asked_db: -20.0,
+                reached_db: Some(reached_db),
+                met: Some(reached_db <= -20.0),
+                limited_by: Some("freezing".into()),
+                ..AccuracyVerdict::default()
+            },
+            ..FrameLine::default()
+        };
+        let frames = [-25.0, -18.0, -26.0, -10.0].map(frame).to_vec();
+        let scene = SceneLine { scene: Some(0), measured_in: Some(0), frames, ..SceneLine::default() };
+        let lines = |sub_frames: usize| {
+            let mut reached = ReachedAccuracy::default();
+            reached.add(&scene, sub_frames);
+            reached.lines()
+        };
+        assert!(lines(1)[0].ends_with("reached in 1, missed in 0, the worst −25.0 dB"), "{:?}", lines(1));
+        assert!(lines(2)[0].ends_with("reached in 0, missed in 1, the worst −18.0 dB"), "{:?}", lines(2));
     }
 }

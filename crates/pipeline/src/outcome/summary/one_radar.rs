@@ -9,7 +9,7 @@ use crate::planning::plan_figures::PlanFigures;
 use artifact::scene::SceneHeader;
 use artifact::settings::StaticEchoes;
 use evaluation::Metrics;
-use serde::de::IgnoredAny;
+use serde::de::{DeserializeOwned, IgnoredAny};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -66,8 +66,7 @@ impl Summary {
     /// # Errors
     /// The file is unreadable, or is not such a summary.
     pub fn read(file: &Path) -> Result<Self, Failure> {
-        let text = files::read_own(file, LIMIT_BYTES).map_err(|e| Failure::system(file, "read", e))?;
-        serde_json::from_slice(&text).map_err(Failure::refused).map_err(|failure| failure.about(file))
+        read(file)
     }
 
     /// The text of `summary.json`.
@@ -85,6 +84,12 @@ pub fn is_summary(text: &[u8]) -> bool {
     let keys: BTreeMap<String, IgnoredAny> = serde_json::from_slice(text).unwrap_or_default();
     let has = |key: &str| keys.contains_key(key);
     text.is_empty() || has("scene") && has("frames") && (has("radar") || has("radars"))
+}
+
+/// Reads a summary of one radar or of several.
+pub(super) fn read<S: DeserializeOwned>(file: &Path) -> Result<S, Failure> {
+    let text = files::read_own(file, LIMIT_BYTES).map_err(|e| Failure::system(file, "read", e))?;
+    serde_json::from_slice(&text).map_err(Failure::refused).map_err(|failure| failure.about(file))
 }
 
 /// Text of a summary by way of a `Value`, which sorts its keys alphabetically as the file does; the struct's

@@ -8,6 +8,7 @@ use crate::outcome::summary::targets::TargetSummary;
 use crate::outcome::verdict::AccuracyVerdict;
 use artifact::settings::Class;
 use serde::{Deserialize, Serialize};
+use std::path::Path;
 
 /// The `summary.json` in the folder above those of several radars.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -89,6 +90,14 @@ impl RadarsSummary {
             radars: radars.iter().map(|(id, summary)| RadarEntry::of(id, summary)).collect(),
             frames: common_frames(&frames),
         }
+    }
+
+    /// Reads a `summary.json` of several radars; unknown keys are ignored.
+    ///
+    /// # Errors
+    /// The file is unreadable, or is not such a summary.
+    pub fn read(file: &Path) -> Result<Self, Failure> {
+        one_radar::read(file)
     }
 
     /// Frames of one radar that belong to the common frame of this number.

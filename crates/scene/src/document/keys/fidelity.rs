@@ -40,9 +40,12 @@ pub(crate) const MODEL: Table = Table {
     keys: &[&SMALL_PARTS],
 };
 
+/// Least relative error of a scene's amplitude, dB.
+pub const LEAST_ACCURACY_DB: f64 = -120.0;
+
 pub(crate) const ACCURACY: Key<Number, DefaultValue<f64>> = Key::new(
     "accuracy_db",
-    Number(Below(-120.0, 0.0)),
+    Number(Below(LEAST_ACCURACY_DB, 0.0)),
     "dB: relative error of the amplitude allowed against the same physics carried to convergence; -20 is \
      10 %",
 )
@@ -112,7 +115,8 @@ pub(crate) const ECHO: Key<Choice<EchoMode>, DefaultValue<EchoMode>> = Key::new(
     Choice(|| vec![("paths", EchoMode::Paths), ("rcs-table", EchoMode::RcsTable)]),
     "path by path with spherical waves, or the paper's far-field table (wrong at these ranges: \
      [rcs-tables.md](rcs-tables.md)), one of each body alone: bodies neither hide nor light each other then, \
-     and `detail`, `between_bodies` and `measured_every` mean nothing",
+     and `detail`, `between_bodies` and `measured_every` mean nothing; refused with [road], turning `wheels` \
+     and the small parts of [model]",
 )
 .with_default(EchoMode::Paths);
 

@@ -1,6 +1,7 @@
 //! A key of a scene file: its name, its values, its default, and its sentence.
 
 use serde_json::Value;
+use toml::de::DeValue;
 
 /// Values that a key takes, as the page and the schema tell it.
 pub trait ValueKind: Copy + 'static {
@@ -202,5 +203,27 @@ impl Table {
     /// Whether it has a key with that name.
     pub(crate) fn has(&self, name: &str) -> bool {
         self.names().any(|known| known == name)
+    }
+
+    /// Whether it has a key with that name which takes values of the type of `value`.
+    pub(crate) fn takes(&self, name: &str, value: &DeValue<'_>) -> bool {
+        self.keys.iter().any(|key| key.name() == name && has_type(&key.values(), value))
+    }
+}
+
+/// Whether a schema describes values of the type of `value`. A reference is to the schema of a table.
+fn has_type(schema: &Value, value: &DeValue<'_>) -> bool {
+    if let Some(alternatives) = schema["anyOf"].as_array() {
+        return alternatives.iter().any(|one| has_type(one, value));
+    }
+    let known = schema["type"].as_str().unwrap_or("object");
+    match value {
+        DeValue::String(_) => known == "string",
+        DeValue::Integer(_) => matches!(known, "integer" | "number"),
+        DeValue::Float(_) => known == "number",
+        DeValue::Boolean(_) => known == "boolean",
+        DeValue::Array(_) => known == "array",
+        DeValue::Table(_) => known == "object",
+        DeValue::Datetime(_) => false,
     }
 }

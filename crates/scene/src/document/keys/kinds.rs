@@ -34,6 +34,12 @@ pub struct Texts(pub &'static str);
 #[derive(Clone, Copy)]
 pub(crate) struct Name;
 
+impl Name {
+    /// Expression that every name matches. Letters are those of any script, which no expression lists that
+    /// every editor reads; beyond ASCII only control characters are excluded here, other marks by the reader.
+    const PATTERN: &str = r"^[^\u0000-'*,./:-@\[-\^`{-\u009f][^\u0000-\u001f!-'*,/:-@\[-\^`{-\u009f]*$";
+}
+
 /// Words, and the value of each.
 #[derive(Clone, Copy)]
 pub struct Choice<T: 'static>(pub(crate) fn() -> Vec<(&'static str, T)>);
@@ -208,11 +214,11 @@ impl ValueKind for Texts {
 
 impl ValueKind for Name {
     fn allowed(&self) -> String {
-        "1 to 64 letters, digits, spaces or any of `-_.+()`".to_owned()
+        "1 to 64 letters, digits, spaces or any of `-_.+()`, the first no dot or space".to_owned()
     }
 
     fn schema(&self) -> Value {
-        json!({ "type": "string", "minLength": 1, "maxLength": 64, "pattern": "^[^. ]" })
+        json!({ "type": "string", "minLength": 1, "maxLength": 64, "pattern": Self::PATTERN })
     }
 }
 

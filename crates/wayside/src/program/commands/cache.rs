@@ -1,4 +1,4 @@
-//! `cache`: lists the cached frames by stage, or removes them.
+//! `cache`: lists the cached frames by stage, or removes all or the oldest of them.
 
 use crate::program::cli::CacheCommandArguments;
 use crate::program::terminal;
@@ -13,6 +13,9 @@ pub(crate) fn run(arguments: &CacheCommandArguments) -> Result<(), Failure> {
     if arguments.clear {
         cache.clear()?;
     }
+    if arguments.location.cache_limit_mib.is_some() {
+        cache.trim();
+    }
     let files = cache.files();
     for stage in Stage::ALL {
         let folder = cache.root().join(stage.name());
@@ -21,7 +24,7 @@ pub(crate) fn run(arguments: &CacheCommandArguments) -> Result<(), Failure> {
         terminal::line(format!("{:<12}{:>8} files {:>10.1} MiB", stage.name(), own.len(), mib(bytes)));
     }
     let total = files.iter().map(|file| file.bytes).sum();
-    let limit = arguments.location.cache_limit_mib;
+    let limit = arguments.location.location().limit_mib;
     terminal::line(format!(
         "{} holds {:.1} MiB; its limit is {limit} MiB",
         cache.root().display(),

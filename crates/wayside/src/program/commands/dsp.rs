@@ -2,6 +2,7 @@
 
 use crate::program::cli::DspArguments;
 use crate::program::terminal;
+use crate::run::leftovers;
 use artifact::cube::{Cube, CubeHeader};
 use artifact::points::{Points, PointsFrame, PointsHeader};
 use artifact::rdm::{Rdm, RdmFrame};
@@ -30,9 +31,9 @@ pub(crate) fn run(arguments: &DspArguments) -> Result<(), Failure> {
         inputs.extend(hashed.into_iter().filter(|file| !reader.preamble().provenance.inputs.contains(file)));
     }
     let from = provenance_of(&reader, &header, inputs);
-    let stem = arguments.cube.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    let place = |kind: &str| arguments.out.join(format!("{stem}.{kind}"));
-    refuse_foreign(arguments, ["rdm", "points", "tracks"].map(place), reader.frames())?;
+    let place = |kind: &str| place_of(arguments, kind);
+    let frames = reader.frames();
+    let earlier = earlier_results(arguments, ["rdm", "points", "tracks"].map(place), frames)?;
     let cloud_header = PointsHeader { cube: Some(header.clone()), targets: vec![], classes: vec![] };
     let followed_header = TracksHeader { cube: Some(header.clone()) };
     let receiver = Receiver::new(&header).map_err(|e| refused(&arguments.cube, &e))?;
@@ -40,7 +41,7 @@ pub(crate) fn run(arguments: &DspArguments) -> Result<(), Failure> {
         header: &header,
         receiver: &receiver,
         pictures: arguments.pictures.then(|| arguments.out.join("pictures")),
-        earlier: ["rdm", "points", "tracks"].map(place).to_vec(),
+        earlier,
         maps: Writer::create(&place("rdm"), &from, &header)?,
         clouds: Writer::create(&place("points"), &from, &cloud_header)?,
         followed: Writer::create(&place("tracks"), &from, &followed_header)?,
@@ -62,17 +63,42 @@ pub(crate) fn run(arguments: &DspArguments) -> Result<(), Failure> {
     if !resolves_azimuth(&header.radar) {
         terminal::line(WITHOUT_AZIMUTH);
     }
-    products.finish()
+    products.finish()?;
+    // Views from above are pictures of a run, and never of this command.
+    leftovers::remark_on_pictures(&arguments.out, |kind, number| {
+        kind == "scene" || (arguments.pictures && u64::from(number) < frames)
+    });
+    Ok(())
 }
 
-/// Refuses to replace files of others: results are named after the cube, pictures after their frames.
-fn refuse_foreign(arguments: &DspArguments, results: [PathBuf; 3], frames: u64) -> Result<(), Failure> {
+/// Place of a result, which is named after the cube.
+fn place_of(arguments: &DspArguments, kind: &str) -> PathBuf {
+    let mut name = arguments.cube.file_stem().unwrap_or_default().to_owned();
+    name.push(format!(".{kind}"));
+    arguments.out.join(name)
+}
+
+/// Places of all results, named after the cube, and of existing pictures, named after their frames, which
+/// this command replaces. Refuses to replace files of others.
+fn earlier_results(
+    arguments: &DspArguments,
+    results: [PathBuf; 3],
+    frames: u64,
+) -> Result<Vec<PathBuf>, Failure> {
     results.iter().try_for_each(|place| files::refuse_no_artifact(place))?;
     let frames = if arguments.pictures { frames } else { 0 };
     let folder = arguments.out.join("pictures");
     let of_frame = |index: u64| pictures::names_of_map(index as u32).map(|name| folder.join(name));
-    let mut all = (0..frames).flat_map(of_frame);
-    all.try_for_each(|place| files::refuse_foreign_head(&place, pictures::is_own))
+    let drawn: Vec<PathBuf> = (0..frames).flat_map(of_frame).filter(|place| place.is_file()).collect();
+    drawn.iter().try_for_each(|place| files::refuse_foreign_head(place, pictures::is_own))?;
+    let [map, ..] = &results;
+    if let (Some(first), false) = (drawn.first(), map.exists()) {
+        progress::note(format!(
+            "note: {}: pictures of another run or cube are replaced; with another --out they are kept",
+            first.display()
+        ));
+    }
+    Ok(results.into_iter().chain(drawn).collect())
 }
 
 /// Outputs of the processing of a cube: writers of maps, points and tracks, and the tracker between frames.
@@ -80,7 +106,7 @@ struct DspProducts<'a> {
     header: &'a CubeHeader,
     receiver: &'a Receiver,
     pictures: Option<PathBuf>,
-    /// Places of the files that the first cycle replaces.
+    /// Files that are removed before the first cycle is written.
     earlier: Vec<PathBuf>,
     maps: Writer<Rdm>,
     clouds: Writer<Points>,

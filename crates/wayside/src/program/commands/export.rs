@@ -13,10 +13,9 @@ use std::path::Path;
 
 pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Failure> {
     let (file, out, to) = (arguments.file.as_path(), arguments.out.as_path(), arguments.to);
-    if file.is_dir() && to == FormatWord::Parquet {
-        return parquet::samples(file, out);
-    }
-    let schema = read_preamble(file)?.schema; // this registers the file as an input
+    let is_dataset = file.is_dir() && to == FormatWord::Parquet;
+    // Reading the preamble registers the file as an input.
+    let schema = if is_dataset { String::new() } else { read_preamble(file)?.schema };
     let has_axes = arguments.axes == AxesWord::On;
     if has_axes && (schema.as_str(), to) != ("rdm", FormatWord::Png) {
         return Err(Failure::System("--axes on is for range-Doppler maps (.rdm) exported to png".into()));
@@ -25,6 +24,9 @@ pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Failure> {
     if scene.is_some() && !is_set(to) {
         let rule = "--scene is for sets with labels: raddet, carrada, uwcr, kitti, nuscenes";
         return Err(Failure::System(rule.into()));
+    }
+    if is_dataset {
+        return parquet::samples(file, out);
     }
     match export_of(&schema, to) {
         Some(Export::Set(write)) => write(file, scene, out)?,

@@ -23,7 +23,7 @@ use pipeline::chain::loading::{self, provenance};
 use pipeline::chain::stages::Stage;
 use pipeline::host::failure::Failure;
 use pipeline::host::progress;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 pub(crate) fn run(arguments: &ImportArguments) -> Result<(), Failure> {
     let input = Input::of(arguments)?;
@@ -37,13 +37,15 @@ pub(crate) fn run(arguments: &ImportArguments) -> Result<(), Failure> {
     let files = [input.files.as_slice(), &told_by].concat();
     let beside = match input.kind {
         ImportKind::CaptureCard => dca1000::descriptions(&arguments.array),
-        ImportKind::Array | ImportKind::Sigmf | ImportKind::Uwcr | ImportKind::Clouds => vec![],
+        ImportKind::Array => arrays::descriptions(&input.files),
+        ImportKind::Uwcr => uwcr::descriptions(&input.files),
+        ImportKind::Sigmf | ImportKind::Clouds => vec![],
     };
     let of_all = [files.as_slice(), &beside].concat();
-    let (Samples { scene, header, frames, step }, mut hashed) =
+    let (Samples { scene, header, frames, step, descriptions }, mut hashed) =
         loading::read_hashed(&of_all, || samples(arguments, &input))?;
     let of_beside = hashed.split_off(files.len());
-    let is_told = |place: &Path| step.place() == Some(place);
+    let is_told = |place: &PathBuf| step.is_described() && descriptions.contains(place);
     hashed.extend(beside.iter().zip(of_beside).filter(|(place, _)| is_told(place)).map(|(_, named)| named));
     let from = provenance_of(arguments, &scene, (&step, header.unit), hashed);
     let mut writer = Writer::<Cube>::create(&arguments.out, &from, &header)?;
@@ -62,13 +64,15 @@ struct Samples {
     header: CubeHeader,
     frames: Vec<Vec<Complex32>>,
     step: IntegerStep,
+    /// Descriptions beside the recording that were found to be of these samples.
+    descriptions: Vec<PathBuf>,
 }
 
 fn samples(arguments: &ImportArguments, input: &Input) -> Result<Samples, Failure> {
     let settings = settings_of(arguments)?;
     let scene = scene_of(arguments, settings.as_ref())?;
     let (file, mut header) = (arguments.array.as_path(), cube_header(&scene));
-    let ImportedFrames { frames, step } = match input.kind {
+    let ImportedFrames { frames, step, descriptions } = match input.kind {
         ImportKind::CaptureCard => {
             if let (Some(file), Some(settings)) = (&arguments.config, &settings) {
                 device_config::check_stream(file, settings)?;
@@ -76,7 +80,7 @@ fn samples(arguments: &ImportArguments, input: &Input) -> Result<Samples, Failur
             let shape = if settings.is_some() { ShapeSource::Described } else { ShapeSource::Assumed };
             let layout = (layout(arguments, settings.as_ref()), shape);
             let imported = dca1000::read(file, &header, arguments.step, layout)?;
-            if imported.step.place().is_none() {
+            if imported.descriptions.is_empty() {
                 note_layout(arguments, settings.as_ref(), header.radar.waveform.sampling);
             }
             imported
@@ -93,7 +97,7 @@ fn samples(arguments: &ImportArguments, input: &Input) -> Result<Samples, Failur
     let of_file = |failure: Failure| failure.about(file);
     header.unit = unit_of(&step, &frames, converter).map_err(of_file)?;
     stepwise::check_parts(frames.iter().flatten(), header.radar.waveform.sampling).map_err(of_file)?;
-    Ok(Samples { scene, header, frames, step })
+    Ok(Samples { scene, header, frames, step, descriptions })
 }
 
 /// Settings of the board's configuration, if one is given.
@@ -107,9 +111,10 @@ struct ConverterProperties {
     bits: Option<u32>,
 }
 
-/// Unit of samples: √W if a step is given, and for floats; otherwise the converter's step. Floats that are
-/// all whole numbers count as steps of an unknown converter too. The full scale is that of the command, else
-/// that of the step's file, else that of the configuration's bits.
+/// Unit of samples: √W if a step is given; of floats the one that a description gives, else √W; otherwise the
+/// converter's step. Floats without a description that are all whole numbers count as steps of an unknown
+/// converter too. The full scale is that of the command, else that of the step's file, else that of the
+/// configuration's bits.
 fn unit_of(
     step: &IntegerStep,
     frames: &[Vec<Complex32>],
@@ -120,6 +125,7 @@ fn unit_of(
         (IntegerStep::Given(_) | IntegerStep::Described(..), _) => SampleUnit::RootWatts,
         (IntegerStep::Unscaled, _) => SampleUnit::Steps,
         (_, Some(steps)) => SampleUnit::FullScale(steps),
+        (IntegerStep::DescribedFloats(unit, _), None) => *unit,
         (IntegerStep::Unknown, None) => SampleUnit::FullScale(of_bits(converter.bits.unwrap_or(16))),
         (IntegerStep::ConverterSteps { full_scale, .. }, None) => {
             full_scale.or(converter.bits.map(of_bits)).map_or(SampleUnit::Steps, SampleUnit::FullScale)
@@ -172,11 +178,13 @@ fn note_layout(arguments: &ImportArguments, settings: Option<&DeviceSettings>, s
 /// configuration. Of those that cannot be read the scene and the configuration, whose reader tells why.
 fn radar_files(arguments: &ImportArguments) -> Vec<PathBuf> {
     let (scene, radar) = (arguments.scene.as_path(), arguments.radar.as_deref());
-    let files = match (settings_of(arguments), arguments.config.as_deref()) {
-        (Ok(Some(settings)), Some(file)) => {
+    let config = arguments.config.as_deref();
+    let read = |file| Some((file, device_config::read_unremarked(file, arguments.device).ok()?));
+    let files = match config.and_then(read) {
+        Some((file, settings)) => {
             device_config::files_with(scene, radar, &ConfigFile { file, settings: &settings })
         }
-        _ => scene::inputs_without_models(scene, &[], radar).map_err(loading::scene_failure),
+        None => scene::inputs_without_models(scene, &[], radar).map_err(loading::scene_failure),
     };
     files.unwrap_or_else(|_| std::iter::once(scene.to_owned()).chain(arguments.config.clone()).collect())
 }
@@ -200,7 +208,8 @@ fn provenance_of(
             arguments.array.display()
         ));
     }
-    if *step == IntegerStep::Floats && unit != SampleUnit::RootWatts {
+    let is_inferred = *step == IntegerStep::Floats && arguments.full_scale.is_none();
+    if is_inferred && unit != SampleUnit::RootWatts {
         progress::note(format!(
             "note: {}: all samples are whole numbers: they are counted in steps of a converter, and levels are no powers",
             arguments.array.display()
@@ -208,7 +217,7 @@ fn provenance_of(
     }
     let from = provenance(Stage::FmcwEcho, scene, hashed);
     let told = match step {
-        IntegerStep::Floats => return from,
+        IntegerStep::Floats | IntegerStep::DescribedFloats(..) => return from,
         IntegerStep::Unscaled => "samples of a tensor, their factor not told".to_owned(),
         IntegerStep::Unknown => "sqrt_w_per_step not told: samples are steps".to_owned(),
         IntegerStep::Given(step) | IntegerStep::Described(step, _) => format!("sqrt_w_per_step {step}"),
@@ -225,6 +234,7 @@ mod tests {
     use ndarray::Array4;
     use ndarray_npy::WriteNpyExt;
     use std::fs::File;
+    use std::path::Path;
 
     fn arguments(array: &Path, scene: &Path) -> ImportArguments {
         let words = ["wayside", "import", "--out", "a.cube", "--scene"].map(Path::new);

@@ -18,7 +18,7 @@ use crate::remarks;
 use crate::stepwise::{self, RcsTable, RequestedReceiver, RequestedTable, TableTimings};
 use artifact::envelope::fingerprint;
 use artifact::scene::Mesh;
-use artifact::settings::{NodeRule, SmallParts};
+use artifact::settings::{Edges, NodeRule, SmallParts, Surface};
 use bart_rcs::{CancellationCheck, RcsContext, RcsRequest};
 use formats::sidecar;
 use pipeline::chain::stages::Stage;
@@ -92,6 +92,12 @@ fn check(arguments: &RcsArguments) -> Result<(), Failure> {
         MethodWord::Po | MethodWord::Sbr if arguments.detail == SmallParts::Statistical => {
             refused("--detail statistical is for --method bart")
         }
+        MethodWord::Po | MethodWord::Sbr if arguments.edges == Edges::FirstOrder => {
+            refused("--edges on is for --method bart")
+        }
+        MethodWord::Po | MethodWord::Sbr if arguments.surface == Surface::Smooth => {
+            refused("--surface smooth is for --method bart: po and sbr take facets as they are")
+        }
         MethodWord::Po | MethodWord::Sbr if arguments.accuracy_db.is_some() => {
             progress::note(
                 "note: --accuracy-db is for --method bart: --density is what a reference is exact by",
@@ -141,7 +147,7 @@ fn traced(
 
 /// Notes materials whose permittivities belong to other frequencies, and a receiver behind the body.
 fn remark(mesh: &Mesh, request: &RcsRequest) {
-    remarks::forward_scattering::remark(request).into_iter().for_each(progress::note);
+    remarks::forward_scattering::remark(request, mesh).into_iter().for_each(progress::note);
     let ends = [f64::min, f64::max].map(|end| request.frequency_hz.iter().copied().reduce(end));
     if let [Some(lowest_hz), Some(highest_hz)] = ends {
         remarks::of_materials(mesh.makeup.materials.iter(), [lowest_hz, highest_hz])

@@ -18,8 +18,9 @@ pub(crate) fn run(arguments: &SceneFromArguments) -> Result<(), Failure> {
     files::write_file(&arguments.out, text.as_bytes())?;
     if let Some(layout) = settings.unusual_layout() {
         let file = arguments.config.display();
+        let device = arguments.device.map_or_else(String::new, |board| format!(" --device {}", board.name()));
         progress::note(format!(
-            "note: {file}: recordings of it have {layout}: import them with --config {file}"
+            "note: {file}: recordings of it have {layout}: import them with --config {file}{device}"
         ));
     }
     Ok(())

@@ -2,11 +2,13 @@
 
 use crate::program::cli::VehiclesArguments;
 use crate::program::terminal;
+use crate::run::leftovers;
 use artifact::scene::Mesh;
 use pipeline::host::failure::Failure;
 use pipeline::host::files::{self, FolderLock};
 use pipeline::host::progress::Work;
 use serde_json::{Value, json};
+use std::path::Path;
 
 /// Largest manifest: some hundred thousand vehicles.
 const LIMIT_BYTES: u64 = 256 << 20;
@@ -32,6 +34,7 @@ pub(crate) fn run(arguments: &VehiclesArguments) -> Result<(), Failure> {
     files::claim(&[&models[..], std::slice::from_ref(&manifest_place)].concat())?;
     files::refuse_foreign(&manifest_place, LIMIT_BYTES, is_manifest)?;
     models.iter().try_for_each(|place| files::refuse_foreign(place, MODEL_LIMIT_BYTES, is_own_model))?;
+    let listed = listed(&manifest_place);
     files::remove_outdated([manifest_place.clone()].into_iter().chain(models))?;
     let work = Work::begin("vehicles");
     let mut manifest = Vec::new();
@@ -44,7 +47,18 @@ pub(crate) fn run(arguments: &VehiclesArguments) -> Result<(), Failure> {
     let text = serde_json::to_string_pretty(&manifest).map_err(Failure::refused)?;
     files::write_file(&manifest_place, text.as_bytes())?;
     terminal::line(format!("{} vehicles in {}", planned.len(), arguments.out.display()));
+    let is_left = |file: &String| {
+        planned.iter().all(|vehicle| vehicle.file != *file) && arguments.out.join(file).is_file()
+    };
+    leftovers::note(&arguments.out, listed.into_iter().filter(is_left).collect());
     Ok(())
+}
+
+/// Files of the models that a manifest lists; none without a manifest.
+fn listed(manifest: &Path) -> Vec<String> {
+    let text = files::read_own(manifest, LIMIT_BYTES).unwrap_or_default();
+    let entries: Vec<Value> = serde_json::from_slice(&text).unwrap_or_default();
+    entries.iter().filter_map(|entry| entry["file"].as_str().map(str::to_owned)).collect()
 }
 
 /// Every requested model, in the order of the catalogue, with every seed; with a single seed, files are named

@@ -8,7 +8,7 @@ function levelAxis(map) {
 
 function drawRangeProfile(canvas, state) {
   const { map } = state.frame;
-  const sheet = sheetOf(canvas, mapAxes(map).x, levelAxis(map));
+  const sheet = sheetOf(canvas, mapAxes(map).x, levelAxis(map), leftOfMap(map));
   clearSheet(sheet, state.colours);
   const place = (column) => map.range_m[0] + column * map.range_m[1];
   const strongest = Array.from({ length: map.columns }, (_, column) => strongestOfColumn(map, column));
@@ -32,7 +32,7 @@ function drawRangeProfile(canvas, state) {
 
 function drawDopplerCut(canvas, state) {
   const { map } = state.frame;
-  const sheet = sheetOf(canvas, levelAxis(map), mapAxes(map).y);
+  const sheet = sheetOf(canvas, levelAxis(map), mapAxes(map).y, leftOfMap(map));
   clearSheet(sheet, state.colours);
   const { row, column } = cellOf(map, state.cursor);
   const cut = Array.from({ length: map.rows }, (_, i) => [

@@ -1,6 +1,11 @@
 // The range-Doppler map: levels over the noise, the detector's mask, objects, and the cursor.
 
+/** Room about a sheet; on the left at least, where numbers and name of an axis stand. */
 const MARGIN = { left: 52, right: 10, top: 8, bottom: 40 };
+const AXIS_FONT = "12px system-ui, sans-serif";
+/** Foot of the name beside an axis, distance of the numbers from it, and of the axis from the numbers. */
+const NAME = { foot: 13, apart: 4 };
+const BESIDE_AXIS = 5;
 /** Levels of the darkest cell and of the brightest at least, dB over the noise. */
 const DARKEST_DB = -4;
 const BRIGHTEST_DB = 30;
@@ -45,14 +50,26 @@ function mapPicture(map) {
   return picture;
 }
 
+/** Room left of a sheet of a canvas for the numbers of its vertical axis and the name beside them. */
+function leftOf(canvas, y) {
+  const context = canvas.getContext("2d");
+  context.font = AXIS_FONT;
+  const rows = numbered(rowsOf(y, canvas.clientHeight - MARGIN.top - MARGIN.bottom));
+  const widths = rows.map(([, words]) => context.measureText(words).width);
+  return Math.max(MARGIN.left, NAME.foot + NAME.apart + Math.max(...widths) + BESIDE_AXIS);
+}
+
+/** The same of the map, whose profile and cut have their axes where it has its own. */
+const leftOfMap = (map) => leftOf(part("map"), mapAxes(map).y);
+
 /** A canvas made ready: its context in pixels of the page, its sheet and its axes. */
-function sheetOf(canvas, x, y) {
+function sheetOf(canvas, x, y, left = leftOf(canvas, y)) {
   const pixels = resize(canvas);
   const context = canvas.getContext("2d");
   context.setTransform(pixels, 0, 0, pixels, 0, 0);
   const [width, height] = [canvas.clientWidth, canvas.clientHeight];
   const box = {
-    left: MARGIN.left,
+    left,
     right: width - MARGIN.right,
     top: MARGIN.top,
     bottom: height - MARGIN.bottom,
@@ -74,7 +91,7 @@ function mapAxes(map) {
 function drawMap(canvas, state) {
   const { map } = state.frame;
   const { x, y } = mapAxes(map);
-  const sheet = sheetOf(canvas, x, y);
+  const sheet = sheetOf(canvas, x, y, leftOfMap(map));
   const { context, box } = sheet;
   clearSheet(sheet, state.colours);
   context.imageSmoothingEnabled = false;
@@ -189,24 +206,31 @@ function digitsOf(step) {
   return Math.min(6, Math.max(0, Math.ceil(-Math.log10(step) - 1e-9)));
 }
 
+/** Round values of a vertical axis of so many pixels. */
+const rowsOf = (y, height) => ticks(y, height / 40);
+
+/** Values, each with its words. */
+function numbered(values) {
+  const digits = values.length > 1 ? digitsOf(values[1] - values[0]) : 0;
+  return values.map((value) => [value, told(value, digits)]);
+}
+
 function drawAxes(sheet, colours, xName, yName) {
   const { context, box, across, up, x, y } = sheet;
   context.strokeStyle = colours.soft;
   context.fillStyle = colours.ink;
-  context.font = "12px system-ui, sans-serif";
+  context.font = AXIS_FONT;
   context.lineWidth = 1;
   context.strokeRect(box.left, box.top, box.right - box.left, box.bottom - box.top);
-  const digits = (values) => (values.length > 1 ? digitsOf(values[1] - values[0]) : 0);
-  const columns = ticks(x, (box.right - box.left) / 65);
   context.textAlign = "center";
-  for (const value of columns)
-    context.fillText(told(value, digits(columns)), across(value), box.bottom + 15);
+  for (const [value, words] of numbered(ticks(x, (box.right - box.left) / 65)))
+    context.fillText(words, across(value), box.bottom + 15);
   context.fillText(xName, (box.left + box.right) / 2, box.bottom + 33);
-  const rows = ticks(y, (box.bottom - box.top) / 40);
   context.textAlign = "right";
-  for (const value of rows) context.fillText(told(value, digits(rows)), box.left - 5, up(value) + 4);
+  for (const [value, words] of numbered(rowsOf(y, box.bottom - box.top)))
+    context.fillText(words, box.left - BESIDE_AXIS, up(value) + 4);
   context.save();
-  context.translate(13, (box.top + box.bottom) / 2);
+  context.translate(NAME.foot, (box.top + box.bottom) / 2);
   context.rotate(-Math.PI / 2);
   context.textAlign = "center";
   context.fillText(yName, 0, 0);
@@ -216,7 +240,7 @@ function drawAxes(sheet, colours, xName, yName) {
 /** Range and velocity of the cell under a pixel; `null` outside of the map. */
 function cellUnder(canvas, map, [px, py]) {
   const { x, y } = mapAxes(map);
-  const { box } = sheetOf(canvas, x, y);
+  const { box } = sheetOf(canvas, x, y, leftOfMap(map));
   const share = [(px - box.left) / (box.right - box.left), (box.bottom - py) / (box.bottom - box.top)];
   if (share.some((value) => value < 0 || value > 1)) return null;
   const range = x.from + share[0] * (x.to - x.from);
@@ -227,7 +251,7 @@ function cellUnder(canvas, map, [px, py]) {
 /** Pixel of a range and a velocity. */
 function pixelOnMap(canvas, map, { range, velocity }) {
   const { x, y } = mapAxes(map);
-  const { across, up } = sheetOf(canvas, x, y);
+  const { across, up } = sheetOf(canvas, x, y, leftOfMap(map));
   return [across(range), up(velocity)];
 }
 

@@ -1,6 +1,7 @@
 //! Kinds of imports, and the options that apply to each; other options are refused, not ignored.
 
 use crate::program::cli::ImportArguments;
+use artifact::cube::SampleUnit;
 use artifact::radar::Sampling;
 use formats::radar_cloud::import::{extension, frames_of};
 use formats::raw_data::{IntegerStep, arrays, sigmf, uwcr};
@@ -117,27 +118,36 @@ pub(super) fn check_samples(
     sampling: Sampling,
     step: &IntegerStep,
 ) -> Result<(), Failure> {
+    let are_floats = matches!(step, IntegerStep::Floats | IntegerStep::DescribedFloats(..));
+    if are_floats && arguments.step.is_some() {
+        return Err(off(arguments, "--step", INTEGERS));
+    }
+    if let Some(rule) = full_scale_rule(step).filter(|_| arguments.full_scale.is_some()) {
+        return Err(off(arguments, "--full-scale", &rule));
+    }
+    if sampling == Sampling::Real && arguments.iq_order.is_some() {
+        return Err(off(arguments, "--iq-order", "is for complex samples: the scene's radar has real ones"));
+    }
+    Ok(())
+}
+
+/// Rule by which a full scale does not apply to samples, if there is one.
+fn full_scale_rule(step: &IntegerStep) -> Option<String> {
     match step {
-        IntegerStep::Floats if arguments.step.is_some() => Err(off(arguments, "--step", INTEGERS)),
-        IntegerStep::Described(_, place) if arguments.full_scale.is_some() => {
-            let rule = format!("is for samples in steps: {} tells what a step is, √W", place.display());
-            Err(off(arguments, "--full-scale", &rule))
+        IntegerStep::Described(_, place) => {
+            Some(format!("is for samples in steps: {} tells what a step is, √W", place.display()))
+        }
+        IntegerStep::DescribedFloats(SampleUnit::RootWatts, place) => {
+            Some(format!("is for samples in steps: {} tells that these are in √W", place.display()))
         }
         IntegerStep::ConverterSteps { full_scale: Some(steps), place, .. }
-            if arguments.full_scale.is_some() =>
-        {
-            let rule = format!("is told already: {} has a full scale of {steps} steps", place.display());
-            Err(off(arguments, "--full-scale", &rule))
+        | IntegerStep::DescribedFloats(SampleUnit::FullScale(steps), place) => {
+            Some(format!("is told already: {} has a full scale of {steps} steps", place.display()))
         }
-        IntegerStep::Unscaled if arguments.full_scale.is_some() => Err(off(
-            arguments,
-            "--full-scale",
-            "is for samples in steps: a tensor tells no factor of its values",
-        )),
-        _ if sampling == Sampling::Real && arguments.iq_order.is_some() => {
-            Err(off(arguments, "--iq-order", "is for complex samples: the scene's radar has real ones"))
+        IntegerStep::Unscaled => {
+            Some("is for samples in steps: a tensor tells no factor of its values".to_owned())
         }
-        _ => Ok(()),
+        _ => None,
     }
 }
 

@@ -6,7 +6,7 @@ use crate::program::learning_cli::ClassifyArguments;
 use crate::program::terminal;
 use artifact::dataset::{Dataset, Sample};
 use artifact::rdm::Rdm;
-use artifact::{Reader, Schema, read_preamble};
+use artifact::{Reader, Schema, inputs, read_preamble};
 use pipeline::chain::loaded_model::LoadedModel;
 use pipeline::host::dataset_folders::DatasetFolder;
 use pipeline::host::failure::Failure;
@@ -20,9 +20,7 @@ const BATCH: usize = 64;
 
 pub(crate) fn run(arguments: &ClassifyArguments) -> Result<(), Failure> {
     let model = LoadedModel::read(&arguments.model)?;
-    let files: Vec<Vec<PathBuf>> =
-        arguments.files.iter().map(|place| expanded(place)).collect::<Result<_, _>>()?;
-    for file in files.into_iter().flatten() {
+    for file in expanded(&arguments.files)? {
         match read_preamble(&file)?.schema.as_str() {
             Rdm::NAME => maps(&model, &file).map_err(|failure| failure.about(&file))?,
             Dataset::NAME => samples(&model, &file)?,
@@ -32,12 +30,51 @@ pub(crate) fn run(arguments: &ClassifyArguments) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Replaces a folder by the datasets in it.
-fn expanded(place: &Path) -> Result<Vec<PathBuf>, Failure> {
-    match place.is_dir() {
-        true => Ok(DatasetFolder::open(place)?.shards),
-        false => Ok(vec![place.to_owned()]),
+/// Replaces each folder by the datasets in it.
+///
+/// # Errors
+/// Those of [`DatasetFolder::open_all`]; a dataset that is named twice, alone or beside its folder.
+fn expanded(places: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
+    let (folders, files): (Vec<PathBuf>, Vec<PathBuf>) =
+        places.iter().cloned().partition(|place| place.is_dir());
+    let opened = DatasetFolder::open_all(&folders)?;
+    check_named_once(opened.iter().flat_map(|folder| &folder.shards).collect(), &files)?;
+    let mut shards = opened.into_iter().map(|folder| folder.shards);
+    let files_of = |place: &PathBuf| match folders.contains(place) {
+        true => shards.next().unwrap_or_default(),
+        false => vec![place.clone()],
+    };
+    Ok(places.iter().flat_map(files_of).collect())
+}
+
+/// Refuses a file of a dataset with the bytes of one that is `known`, or of another file.
+fn check_named_once<'a>(mut known: Vec<&'a PathBuf>, files: &'a [PathBuf]) -> Result<(), Failure> {
+    for file in files.iter().filter(|file| has_samples(file)) {
+        for other in &known {
+            if has_same_bytes(file, other)? {
+                let (one, other) = (file.display(), other.display());
+                return Err(Failure::System(format!(
+                    "{one}: has the samples of {other}; each is taken once"
+                )));
+            }
+        }
+        known.push(file);
     }
+    Ok(())
+}
+
+/// Whether a file is a dataset with samples; what cannot be opened is refused in its turn.
+fn has_samples(file: &Path) -> bool {
+    let is_dataset = read_preamble(file).is_ok_and(|preamble| preamble.schema == Dataset::NAME);
+    is_dataset && Reader::<Dataset>::open(file).is_ok_and(|reader| reader.frames() > 0)
+}
+
+/// Whether two files have the same bytes; only files of one length are read.
+fn has_same_bytes(one: &Path, other: &Path) -> Result<bool, Failure> {
+    let unread = |file: &Path, error: std::io::Error| Failure::system(file, "read", error);
+    let length = |file: &Path| std::fs::metadata(file).map(|about| about.len()).map_err(|e| unread(file, e));
+    let hash = |file: &Path| inputs::named_hash(file).map(|(_, hash)| hash).map_err(|e| unread(file, e));
+    Ok(length(one)? == length(other)? && hash(one)? == hash(other)?)
 }
 
 fn unfit(file: &Path, schema: &str) -> Failure {

@@ -44,7 +44,11 @@ fn of_model(table: &RcsTable) -> String {
     let by_order = table.node_spread.iter().enumerate().skip(1);
     let by_order: Vec<String> = by_order.map(|(i, e)| format!("order {} {}", i + 1, decibels(*e))).collect();
     let by_order = if by_order.is_empty() { String::new() } else { format!(" ({})", by_order.join(", ")) };
-    format!("model: spread of node rules {nodes}{by_order}, first order left out {bounces}")
+    let left_out = [("edges", table.model_error.edges), ("transmission", table.model_error.transmission)];
+    let estimated = left_out.into_iter().filter_map(|(name, error)| error.map(|error| (name, error)));
+    let others: String =
+        estimated.map(|(name, error)| format!(", {name} left out {}", decibels(error))).collect();
+    format!("model: spread of node rules {nodes}{by_order}, first order left out {bounces}{others}")
 }
 
 /// Warning of every run that makes a far-field table: the range from which on it holds, and its error at
@@ -71,4 +75,22 @@ fn warning(table: &RcsTable, from_m: f64) -> String {
 /// Text of an amplitude ratio in dB.
 fn decibels(ratio: f64) -> String {
     if ratio > 0.0 { format!("{:.1} dB", db_from_amplitude(ratio)) } else { "none".into() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use artifact::ModelError;
+
+    #[test]
+    fn edges_and_transmission_that_are_left_out_are_told_where_they_are_estimated() {
+        let told = |model_error: ModelError| {
+            of_model(&RcsTable { model_error, node_spread: vec![0.0], ..RcsTable::default() })
+        };
+        let without = ModelError { nodes: Some(0.1), ..ModelError::default() };
+        let begin = "model: spread of node rules -20.0 dB, first order left out not estimated";
+        assert_eq!(told(without), begin);
+        let with = ModelError { edges: Some(1e4), transmission: Some(0.0), ..without };
+        assert_eq!(told(with), format!("{begin}, edges left out 80.0 dB, transmission left out none"));
+    }
 }

@@ -5,7 +5,7 @@ use crate::program::option_words::MethodWord;
 use crate::stepwise::RcsTable;
 use artifact::paths::Amplitude;
 use artifact::scene::Mesh;
-use artifact::settings::{Edges, NodeRule, Surface};
+use artifact::settings::NodeRule;
 use bart_rcs::{CheckpointKey, CheckpointStore, RcsRequest, RcsSeconds, Standpoint};
 use num_complex::Complex64;
 use pipeline::host::checkpoint::Checkpoint;
@@ -24,7 +24,6 @@ pub(super) fn answer(
     checkpoint: &Checkpoint,
     clock: &WorkClock,
 ) -> Result<RcsTable, Failure> {
-    check(request)?;
     bart_rcs::check_antennas(mesh, request).map_err(Failure::refused)?;
     let start_s = clock.seconds();
     let work = Work::resumed("aspects", checkpoint.aspects());
@@ -64,16 +63,6 @@ fn from_bytes(bytes: &[u8], frequencies: usize) -> Option<Vec<Complex64>> {
     let (values, odd) = numbers.as_chunks();
     let is_whole = rest.is_empty() && odd.is_empty() && values.len() == frequencies;
     is_whole.then(|| values.iter().map(|[re, im]| Complex64::new(*re, *im)).collect())
-}
-
-/// Refuses requests beyond the references, which support only flat facets and no edges.
-fn check(request: &RcsRequest) -> Result<(), Failure> {
-    let refused = |option: &str| Err(Failure::Refused(format!("{option} is for --method bart alone")));
-    match (request.edges, request.surface) {
-        (Edges::FirstOrder, _) => refused("--edges on"),
-        (_, Surface::Smooth) => refused("--surface smooth"),
-        (Edges::Ignored, Surface::Flat) => Ok(()),
-    }
 }
 
 fn aspect(request: &RcsRequest, elevation_rad: f64, azimuth_rad: f64) -> Aspect {
