@@ -146,9 +146,10 @@ impl PeakFinder {
             .collect()
     }
 
-    /// Whether a cell on the slope of a peak lies beyond its main lobe and is explained by its leakage: half a
-    /// cell off, the sidelobes of a rectangular window fall as steadily as a slope. The main lobe of a wrong
-    /// fold counts too: where it is as weak as the sidelobes in its empty band, cells pass for a true fold.
+    /// Whether a cell on the slope of a peak lies beyond its main lobe and is explained by its leakage: half
+    /// a cell off, the sidelobes of a rectangular window fall as steadily as a slope. The main lobe of a
+    /// wrong fold counts too: where it is as weak as the sidelobes in its empty band, cells pass for a true
+    /// fold.
     pub(crate) fn is_sidelobe(
         &self,
         (cell, power): ([usize; 2], f64),
