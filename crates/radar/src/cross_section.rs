@@ -12,7 +12,7 @@ use artifact::units::{BOLTZMANN_J_PER_K, db_from_power, power_from_db};
 
 /// Cross section in dBsm: σ = ρ·P·B·R⁴/(q·N_sN_c·(l·g²)²), with ρ the signal-to-noise ratio in a cell of one
 /// transmit–receive pair, P = k·T·F·f_s, B the windows' noise bandwidths in cells, q the gain of
-/// [`separation_gain`], l the link amplitude, g the element pattern. `None` if the noise is not thermal.
+/// `separation_gain`, l the link amplitude, g the element pattern. `None` if the noise is not thermal.
 ///
 /// An echo between two cells appears up to 1.4 dB weaker per axis with windows like Hann's.
 pub fn cross_section_dbsm(header: &CubeHeader, point: &Point) -> Option<f64> {

@@ -120,7 +120,7 @@ fn read(file: &Path) -> Result<(Vec<Detection>, Height), Failure> {
     Ok((found, height))
 }
 
-/// The files of a folder with one of these endings, all the same one, in the order of [`frame_order`]; a
+/// The files of a folder with one of these endings, all the same one, in the order of `frame_order`; a
 /// plain file is the only one.
 pub fn frames_of(asked: &Path, endings: &[&str]) -> Result<Vec<PathBuf>, Failure> {
     if !asked.is_dir() {

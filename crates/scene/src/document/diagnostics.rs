@@ -89,12 +89,14 @@ impl<'s> Diagnostics<'s> {
     /// The document that the text says, as far as it is TOML; none where it is too deep to be walked. Noted
     /// is what is wrong with it.
     pub fn document(&self) -> DeTable<'s> {
-        let (document, syntax) = DeTable::parse_recoverable(self.text);
+        let brackets = toml_text::check_brackets(self.text);
+        let parsed = brackets.as_ref().map_or_else(|too_deep| &self.text[..too_deep.byte], |()| self.text);
+        let (document, syntax) = DeTable::parse_recoverable(parsed);
         for error in &syntax {
             let byte = error.span().map_or(self.text.len(), |span| span.start);
             self.note(byte, Place::Scene, Rule::Syntax { message: error.message().to_owned() });
         }
-        match toml_text::check(document.get_ref()) {
+        match brackets.and_then(|()| toml_text::check(document.get_ref())) {
             Ok(()) => document.into_inner(),
             Err(too_deep) => {
                 self.note(too_deep.byte, Place::Scene, Rule::Depth(too_deep));

@@ -1,10 +1,13 @@
 //! Nesting depth of TOML. The parser limits the tables that one key opens and the nesting of lists and
 //! tables, but not their product: a text of some kilobytes can have six thousand levels, and recursion over
-//! these overflows the stack. All readers of TOML check here first.
+//! these overflows the stack. Nor does its limit hold where it recovers from errors. All readers of TOML
+//! check here first.
 
 use std::fmt;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
+use toml_parser::Source;
+use toml_parser::lexer::TokenKind;
 
 /// Largest number of tables and lists around a value: scenes, studies, recipes and manifests have six.
 pub(crate) const DEPTH_LIMIT: usize = 64;
@@ -29,7 +32,34 @@ impl std::error::Error for TooDeep {}
 /// # Errors
 /// The first such value found.
 pub fn check_text(text: &str) -> Result<(), TooDeep> {
+    check_brackets(text)?;
     check(DeTable::parse_recoverable(text).0.get_ref())
+}
+
+/// Refuses a text with too many brackets open at once, before it is parsed: the parser walks open brackets by
+/// recursion, without a limit after an error. A bracket that does not close the last open one closes none, as
+/// for the parser.
+///
+/// # Errors
+/// The first bracket beyond the limit.
+pub fn check_brackets(text: &str) -> Result<(), TooDeep> {
+    let mut open = vec![];
+    for token in Source::new(text).lex() {
+        match token.kind() {
+            kind @ (TokenKind::LeftSquareBracket | TokenKind::LeftCurlyBracket) => open.push(kind),
+            TokenKind::RightSquareBracket => close(&mut open, TokenKind::LeftSquareBracket),
+            TokenKind::RightCurlyBracket => close(&mut open, TokenKind::LeftCurlyBracket),
+            _ => {}
+        }
+        if open.len() > DEPTH_LIMIT {
+            return Err(TooDeep { byte: token.span().start() });
+        }
+    }
+    Ok(())
+}
+
+fn close(open: &mut Vec<TokenKind>, opening: TokenKind) {
+    open.pop_if(|last| *last == opening);
 }
 
 /// Refuses a document with a value nested too deeply.
@@ -92,5 +122,14 @@ mod tests {
         assert!(text.len() < 1 << 14);
         assert!(DeTable::parse(&text).is_ok(), "the parser's own bounds do not hold their product");
         assert!(check_text(&text).is_err());
+    }
+
+    #[test]
+    fn brackets_that_mismatched_ones_leave_open_are_refused_before_they_are_parsed() {
+        let mismatched = r#"b = { layers = [{ substance = "p", { t = 3 }, "#.repeat(20_000);
+        let too_deep = check_text(&mismatched).unwrap_err();
+        assert!(mismatched[too_deep.byte..].starts_with(['[', '{']), "{too_deep:?}");
+        let quoted = format!("a = '{0}' # {0}", "[{".repeat(100));
+        assert_eq!(check_text(&quoted), Ok(()));
     }
 }

@@ -7,7 +7,7 @@ use crate::study::fields::{Fields, nearest, number};
 use crate::study::study_text::StudyText;
 use artifact::seed::SEEDS;
 use pipeline::host::failure::Failure;
-use scene::toml_text;
+use scene::toml_text::{self, TooDeep};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use toml::de::DeTable;
@@ -80,12 +80,13 @@ impl Study {
     /// Reads and checks the file; `seed` replaces its own.
     pub(crate) fn read(file: &Path, seed: Option<u64>) -> Result<Self, Failure> {
         let page = Arc::new(StudyText::read(file)?);
+        let too_deep = |fault: TooDeep| page.refused(fault.byte, "", &fault.to_string());
+        toml_text::check_brackets(&page.text).map_err(too_deep)?;
         let table = DeTable::parse(&page.text).map_err(|error| {
             let at = error.span().map_or(0, |span| span.start);
             page.refused(at, "", &format!("not valid TOML: {}", error.message()))
         })?;
-        toml_text::check(table.get_ref())
-            .map_err(|too_deep| page.refused(too_deep.byte, "", &too_deep.to_string()))?;
+        toml_text::check(table.get_ref()).map_err(too_deep)?;
         let root = Fields::of(&page, "", 0, table.get_ref(), &KEYS)?;
         let study = Self::of(&root, &page)?;
         Ok(Self { seed: seed.unwrap_or(study.seed), ..study })
