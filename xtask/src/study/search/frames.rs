@@ -8,6 +8,7 @@ use crate::study::search::random_bodies::within;
 use artifact::Accuracy;
 use artifact::paths::PathsFrame;
 use artifact::scene::{Mesh, SceneHeader};
+use artifact::settings::Edges;
 use artifact::units::db_from_amplitude;
 use bart_rcs::{PathView, RcsRequest, Standpoint, scattering_of_paths};
 use glam::{DMat3, DVec3};
@@ -87,6 +88,10 @@ fn scene(random: &mut Random) -> Result<SceneHeader, Failure> {
         if random.random_range(0..6) == 0 {
             target.start.yaw_radps = within(random, -0.6, 0.6);
         }
+    }
+    // Drawn last, so that the bodies of a case are those of before.
+    if random.random_range(0..3) == 0 {
+        header.fidelity.edges = Edges::FirstOrder;
     }
     Ok(header)
 }
