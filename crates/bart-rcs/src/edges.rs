@@ -1,6 +1,7 @@
 //! Scattering by edges, beyond physical optics.
 
 pub(crate) mod fringe; // currents of a wedge beyond physical optics
+pub(crate) mod wave_exit; // where a wave over faces leaves them
 pub(crate) mod line_integral; // integrals of a weight with a fast phase
 pub(crate) mod lit_edge; // parts of edges lit from both ends
 pub(crate) mod fresnel; // Fresnel integral of an edge wave

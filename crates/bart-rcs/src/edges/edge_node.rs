@@ -1,6 +1,7 @@
 //! A part of an edge with the legs that lead to it, and the parts of its integrals.
 
 use crate::edges::line_integral::{Integrand, LinePiece};
+use crate::edges::wave_exit::WaveExit;
 use crate::geometry::antenna::Antenna;
 use crate::integral::node::Leg;
 use crate::joins::scatterer::{EdgeWaves, PathLengthRange};
@@ -44,6 +45,10 @@ pub(crate) trait EdgePart {
     fn path_length_range(&self) -> PathLengthRange;
     /// Adds √π·S without the phase of the reference point: [vv, vh, hv, hh].
     fn add_to(&self, wavenumbers_per_m: &[f64], sums: &mut [[Complex64; 4]]);
+    /// Point at which its wave leaves the body; `None` if it leaves from the edge itself.
+    fn exit(&self) -> Option<WaveExit> {
+        None
+    }
 }
 
 impl<I: Integrand> EdgePart for LinePiece<'_, I> {
@@ -53,6 +58,10 @@ impl<I: Integrand> EdgePart for LinePiece<'_, I> {
 
     fn add_to(&self, wavenumbers_per_m: &[f64], sums: &mut [[Complex64; 4]]) {
         LinePiece::add_to(self, wavenumbers_per_m, sums);
+    }
+
+    fn exit(&self) -> Option<WaveExit> {
+        LinePiece::exit(self)
     }
 }
 

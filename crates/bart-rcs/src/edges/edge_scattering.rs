@@ -1,8 +1,10 @@
 //! Scattering amplitude S of all edges lit from both ends.
 
 use crate::edges::edge_currents::{edge_amplitudes, for_each_part};
-use crate::edges::edge_node::{EdgeNode, EdgePart, amplitude_of};
+use crate::edges::edge_node::{EdgeNode, EdgePart, PER_ROOT_PI, amplitude_of, spread};
 use crate::edges::lit_edge::EdgeJoint;
+use crate::edges::wave_exit::{ExitLeg, WaveExit};
+use crate::integral::field::length_difference_m;
 use crate::integral::node::Estimate;
 use crate::joins::band::{self, Band, ContributionKind, Groups, INTERPOLATION_ERROR};
 use crate::joins::joint::Reverse;
@@ -11,6 +13,7 @@ use artifact::paths::Amplitude;
 use glam::DVec3;
 use num_complex::Complex64;
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 
 /// S of the edges on paths of `order` over frequency, 2 × 2, with its phase referred to `origin_m`: like that
 /// of facets, from few frequencies (see [`crate::joins::band`]).
@@ -121,6 +124,92 @@ pub(crate) fn part_amplitudes(
 ) -> (DVec3, Estimate<Vec<Amplitude>>) {
     let node = node(scatterer, joint, span_m);
     (node.middle_m(), edge_amplitudes(&node, node.middle_m(), wavenumbers_per_m, accuracy))
+}
+
+/// Waves of a part of an edge that leave from one place, referred to the apparent ends of their paths.
+pub(crate) struct EdgeWave {
+    /// Points of the body at which the wave arrives from the transmitter and leaves to the receiver.
+    pub(crate) nodes_m: [DVec3; 2],
+    /// The same seen along the paths: one lies behind its point by the path length over faces.
+    pub(crate) ends_m: [DVec3; 2],
+    pub(crate) estimate: Estimate<Vec<Amplitude>>,
+}
+
+impl EdgeWave {
+    /// Waves that leave from the point at which they arrive.
+    pub(crate) fn at(middle_m: DVec3, estimate: Estimate<Vec<Amplitude>>) -> Self {
+        Self { nodes_m: [middle_m; 2], ends_m: [middle_m; 2], estimate }
+    }
+}
+
+/// Waves of a part of a joint, gathered by the place where they leave: those over faces longer than `size_m`
+/// leave elsewhere, since their phase turns with the frequency by that length. The reverse is not included.
+pub(crate) fn part_waves(
+    scatterer: &Scatterer<'_>,
+    joint: &EdgeJoint,
+    span_m: [f64; 2],
+    (wavenumbers_per_m, size_m): (&[f64], f64),
+    accuracy: f64,
+) -> Vec<EdgeWave> {
+    let node = node(scatterer, joint, span_m);
+    // Two legs even of one antenna: a wave over faces leaves from either end.
+    let receive = node.receive.clone();
+    let node = EdgeNode { receive: &receive, ..node };
+    let middle_m = node.middle_m();
+    let highest_per_m = wavenumbers_per_m.iter().copied().fold(0.0, f64::max);
+    let mut groups: BTreeMap<Option<ExitCell>, PartSum> = BTreeMap::new();
+    for_each_part(&node, middle_m, highest_per_m, accuracy, &mut |part, error| {
+        let exit = part.exit().filter(|exit| exit.way_m > size_m);
+        let of_exit = exit.map(|exit| ExitCell::of(&exit, middle_m, size_m));
+        let zero = || PartSum { exit, sums: vec![[Complex64::ZERO; 4]; wavenumbers_per_m.len()], error: 0.0 };
+        let group = groups.entry(of_exit).or_insert_with(zero);
+        part.add_to(wavenumbers_per_m, &mut group.sums);
+        group.error += error;
+    });
+    groups.into_values().map(|group| group.wave(&node, middle_m, wavenumbers_per_m)).collect()
+}
+
+/// Cell of a grid of places and path lengths in which a wave leaves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct ExitCell {
+    towards: ExitLeg,
+    cell: [i64; 4],
+}
+
+impl ExitCell {
+    fn of(exit: &WaveExit, from_m: DVec3, size_m: f64) -> Self {
+        let [x, y, z] = (exit.end_m - from_m).to_array();
+        Self { towards: exit.towards, cell: [x, y, z, exit.way_m].map(|m| (m / size_m).round() as i64) }
+    }
+}
+
+/// Sum over the parts that leave in one cell.
+struct PartSum {
+    exit: Option<WaveExit>,
+    sums: Vec<[Complex64; 4]>,
+    error: f64,
+}
+
+impl PartSum {
+    /// The wave, referred to its own apparent ends instead of the middle of the part.
+    fn wave(self, node: &EdgeNode<'_>, middle_m: DVec3, wavenumbers_per_m: &[f64]) -> EdgeWave {
+        let value = self.sums.iter().map(amplitude_of).collect();
+        let mut wave = EdgeWave::at(middle_m, Estimate { value, error: self.error * PER_ROOT_PI });
+        let Some(WaveExit { end_m, way_m, towards }) = self.exit else { return wave };
+        let (leg, side) = match towards {
+            ExitLeg::Transmit => (node.transmit, 0),
+            ExitLeg::Receive => (node.receive, 1),
+        };
+        let behind_m = end_m + way_m * leg.image.travel_direction_at(end_m);
+        let (longer_m, weaker) =
+            (length_difference_m(leg.image, behind_m, middle_m), spread(leg.image, behind_m, middle_m));
+        for (amplitude, k) in wave.estimate.value.iter_mut().zip(wavenumbers_per_m) {
+            *amplitude = scaled(amplitude, Complex64::from_polar(1.0 / weaker, k * longer_m));
+        }
+        wave.estimate.error /= weaker;
+        (wave.nodes_m[side], wave.ends_m[side]) = (end_m, behind_m);
+        wave
+    }
 }
 
 fn node<'a>(scatterer: &'a Scatterer<'_>, joint: &EdgeJoint, span_m: [f64; 2]) -> EdgeNode<'a> {

@@ -12,6 +12,7 @@ use crate::edges::fields_over_surfaces::{over_surfaces, turning_length_m};
 use crate::edges::fresnel::edge_wave;
 use crate::edges::fringe::FaceView;
 use crate::edges::line_integral::{Integrand, for_each_piece};
+use crate::edges::wave_exit::{ExitLeg, WaveExit};
 use crate::integral::field::length_difference_m;
 use crate::integral::node::Leg;
 use crate::joins::scatterer::EdgeWaves;
@@ -526,5 +527,11 @@ impl Integrand for FaceWaves<'_> {
 
     fn turning_m(&self) -> f64 {
         turning_length_m(self.node.legs())
+    }
+
+    fn exit(&self, sample: &Option<WaveEnd>) -> Option<WaveExit> {
+        let Wave { end_m, way_m, .. } = sample.as_ref()?.wave;
+        let towards = if self.sense == Sense::Back { ExitLeg::Transmit } else { ExitLeg::Receive };
+        Some(WaveExit { end_m, way_m, towards })
     }
 }

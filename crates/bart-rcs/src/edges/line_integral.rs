@@ -1,6 +1,7 @@
 //! Integrals of a slowly varying weight with a fast phase along a straight line (Filon 1928), divided where
 //! the weight or the phase's curvature requires it.
 
+use crate::edges::wave_exit::WaveExit;
 use num_complex::Complex64;
 
 /// Weight and length along a line.
@@ -16,6 +17,10 @@ pub(crate) trait Integrand {
     /// Length by which the weights turn with the wavenumber, m.
     fn turning_m(&self) -> f64 {
         0.0
+    }
+    /// Point at which the wave of a sample leaves; `None` if it leaves from the line.
+    fn exit(&self, _sample: &Self::Sample) -> Option<WaveExit> {
+        None
     }
 }
 
@@ -125,6 +130,11 @@ impl<'a, I: Integrand> LinePiece<'a, I> {
     /// Length by which its weights turn with the wavenumber, m.
     pub(crate) fn turning_m(&self) -> f64 {
         self.integrand.turning_m()
+    }
+
+    /// Point at which the wave of its middle leaves; `None` if it leaves from the line.
+    pub(crate) fn exit(&self) -> Option<WaveExit> {
+        self.integrand.exit(&self.samples[1])
     }
 
     /// Values weight·e^{−jk(L − linear part)} at the ends and at the middle.

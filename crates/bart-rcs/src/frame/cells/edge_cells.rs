@@ -1,16 +1,14 @@
 //! Lit edges cut into cells, each a path with its node on the edge.
 
-use crate::edges::edge_scattering::part_amplitudes;
+use crate::edges::edge_scattering::{EdgeWave, part_waves};
 use crate::edges::lit_edge::EdgeJoint;
 use crate::edges::truncation::{Truncation, truncation_amplitudes};
 use crate::frame::cells::path_cells::{
     Cell, CellKind, CellSettings, as_area_m2, facets_of, joined, motions, padded, reversed,
 };
-use crate::integral::node::Estimate;
 use crate::joins::joint::Reverse;
 use crate::joins::scatterer::Scatterer;
-use artifact::paths::Amplitude;
-use glam::DVec3;
+use artifact::paths::Facet;
 use rayon::prelude::*;
 
 /// Cells of all joints, the reverse ones behind their own; in the order of the joints.
@@ -35,7 +33,9 @@ pub(crate) fn truncation_cells(
             reverse: end.reverse,
         };
         line.cells(scatterer, settings, |span_m, accuracy| {
-            truncation_amplitudes(scatterer, end, span_m, settings.wavenumbers_per_m, accuracy)
+            let (middle_m, estimate) =
+                truncation_amplitudes(scatterer, end, span_m, settings.wavenumbers_per_m, accuracy);
+            vec![EdgeWave::at(middle_m, estimate)]
         })
     };
     joined(truncations.par_iter().map(of).collect())
@@ -44,8 +44,9 @@ pub(crate) fn truncation_cells(
 fn cells_of(scatterer: &Scatterer<'_>, joint: &EdgeJoint, settings: &CellSettings<'_>) -> Vec<Cell> {
     let line =
         CutLine { ends: (joint.forward, joint.backward), span_m: joint.span_m, reverse: joint.reverse };
+    let size_m = settings.side_m(scatterer.world, &facets_of(scatterer, joint.forward, joint.backward));
     line.cells(scatterer, settings, |span_m, accuracy| {
-        part_amplitudes(scatterer, joint, span_m, settings.wavenumbers_per_m, accuracy)
+        part_waves(scatterer, joint, span_m, (settings.wavenumbers_per_m, size_m), accuracy)
     })
 }
 
@@ -58,12 +59,12 @@ struct CutLine {
 }
 
 impl CutLine {
-    /// Its cells, by the amplitudes of a part about the part's middle.
+    /// Its cells, by the waves of each part.
     fn cells(
         &self,
         scatterer: &Scatterer<'_>,
         settings: &CellSettings<'_>,
-        amplitudes: impl Fn([f64; 2], f64) -> (DVec3, Estimate<Vec<Amplitude>>),
+        waves: impl Fn([f64; 2], f64) -> Vec<EdgeWave>,
     ) -> Vec<Cell> {
         let (forward, backward) = self.ends;
         let facets = facets_of(scatterer, forward, backward);
@@ -73,27 +74,44 @@ impl CutLine {
         let place = |i: u32| from + (to - from) * f64::from(i) / count;
         let mut cells = Vec::new();
         for i in 0..count as u32 {
-            if !settings.room.take(self.reverse.ways()) {
-                break;
-            }
             let span_m = [place(i), place(i + 1)];
-            let (middle_m, estimate) = amplitudes(span_m, accuracy);
-            cells.push(Cell {
-                order: facets.len() as u8,
-                facets: padded(&facets),
-                apparent_m: scatterer.legs(forward, backward).map(|leg| leg.mirrors.unfolded(middle_m)),
-                motion: motions(scatterer, forward, backward, middle_m),
-                amplitudes_m: estimate.value,
-                area_m2: as_area_m2(span_m[1] - span_m[0], settings),
-                error_m: estimate.error,
-                kind: CellKind::PolygonPart,
-                side: None,
-            });
+            for wave in waves(span_m, accuracy) {
+                if !settings.room.take(self.reverse.ways()) {
+                    return cells;
+                }
+                cells.push(self.cell(scatterer, settings, (&facets, span_m), wave));
+            }
         }
         if self.reverse == Reverse::Included {
             let back: Vec<Cell> = cells.iter().map(reversed).collect();
             cells.extend(back);
         }
         cells
+    }
+
+    fn cell(
+        &self,
+        scatterer: &Scatterer<'_>,
+        settings: &CellSettings<'_>,
+        (facets, [from_m, to_m]): (&[Facet], [f64; 2]),
+        wave: EdgeWave,
+    ) -> Cell {
+        let (forward, backward) = self.ends;
+        let [transmit, receive] = scatterer.legs(forward, backward);
+        let [arriving_m, leaving_m] = wave.nodes_m;
+        Cell {
+            order: facets.len() as u8,
+            facets: padded(facets),
+            apparent_m: [transmit.mirrors.unfolded(wave.ends_m[0]), receive.mirrors.unfolded(wave.ends_m[1])],
+            motion: [
+                motions(scatterer, forward, backward, arriving_m)[0],
+                motions(scatterer, forward, backward, leaving_m)[1],
+            ],
+            amplitudes_m: wave.estimate.value,
+            area_m2: as_area_m2(to_m - from_m, settings),
+            error_m: wave.estimate.error,
+            kind: CellKind::PolygonPart,
+            side: None,
+        }
     }
 }
