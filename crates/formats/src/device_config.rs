@@ -40,7 +40,7 @@ pub fn read(file: &Path, board: Option<Board>) -> Result<DeviceSettings, Failure
 /// Reads the configuration as [`read`] does, without noting its remarks.
 ///
 /// # Errors
-/// As of [`read`].
+/// The errors are those of [`read`].
 pub fn read_unremarked(file: &Path, board: Option<Board>) -> Result<DeviceSettings, Failure> {
     let text = bounded::read_text(file, LIMIT_BYTES).map_err(|fault| Failure::unread(file, &fault))?;
     settings(&text, board).map_err(|fault| refused(file, fault))

@@ -1,4 +1,4 @@
-//! Lit edges cut into cells, each a path with its node on the edge.
+//! Lit edges cut into cells: paths with their nodes on the edge, or on those where waves over faces end.
 
 use crate::edges::edge_scattering::{EdgeWave, part_waves};
 use crate::edges::lit_edge::EdgeJoint;
@@ -32,7 +32,7 @@ pub(crate) fn truncation_cells(
             span_m: [0.0, end.length_m()],
             reverse: end.reverse,
         };
-        line.cells(scatterer, settings, |span_m, accuracy| {
+        line.cells(scatterer, settings, |span_m, _, accuracy| {
             let (middle_m, estimate) =
                 truncation_amplitudes(scatterer, end, span_m, settings.wavenumbers_per_m, accuracy);
             vec![EdgeWave::at(middle_m, estimate)]
@@ -44,8 +44,7 @@ pub(crate) fn truncation_cells(
 fn cells_of(scatterer: &Scatterer<'_>, joint: &EdgeJoint, settings: &CellSettings<'_>) -> Vec<Cell> {
     let line =
         CutLine { ends: (joint.forward, joint.backward), span_m: joint.span_m, reverse: joint.reverse };
-    let size_m = settings.side_m(scatterer.world, &facets_of(scatterer, joint.forward, joint.backward));
-    line.cells(scatterer, settings, |span_m, accuracy| {
+    line.cells(scatterer, settings, |span_m, size_m, accuracy| {
         part_waves(scatterer, joint, span_m, (settings.wavenumbers_per_m, size_m), accuracy)
     })
 }
@@ -59,23 +58,24 @@ struct CutLine {
 }
 
 impl CutLine {
-    /// Its cells, by the waves of each part.
+    /// Its cells, by the waves of each part: of a span, for the largest side of a cell and an accuracy.
     fn cells(
         &self,
         scatterer: &Scatterer<'_>,
         settings: &CellSettings<'_>,
-        waves: impl Fn([f64; 2], f64) -> Vec<EdgeWave>,
+        waves: impl Fn([f64; 2], f64, f64) -> Vec<EdgeWave>,
     ) -> Vec<Cell> {
         let (forward, backward) = self.ends;
         let facets = facets_of(scatterer, forward, backward);
         let accuracy = settings.accuracy_of_body[scatterer.node_body(forward)];
         let [from, to] = self.span_m;
-        let count = ((to - from) / settings.side_m(scatterer.world, &facets)).ceil().max(1.0);
+        let size_m = settings.side_m(scatterer.world, &facets);
+        let count = ((to - from) / size_m).ceil().max(1.0);
         let place = |i: u32| from + (to - from) * f64::from(i) / count;
         let mut cells = Vec::new();
         for i in 0..count as u32 {
             let span_m = [place(i), place(i + 1)];
-            for wave in waves(span_m, accuracy) {
+            for wave in waves(span_m, size_m, accuracy) {
                 if !settings.room.take(self.reverse.ways()) {
                     return cells;
                 }
